@@ -98,9 +98,10 @@ def test_arrays_are_finite(chrome):
 
 
 def test_readings_are_finite(chrome, tmp_path):
-    plan = gonio.plan(3)
+    basis = gonio.bundled_basis()
+    plan = gonio.plan(3, basis)
     factors = gonio.plan_factors("half-out", angles=5, distances=5)
-    for directions, use in ((plan, lambda readings: gonio.reconstruct(plan, readings)),
+    for directions, use in ((plan, lambda readings: gonio.reconstruct(plan, readings, basis)),
                             (plan, lambda readings: plan.save_values(readings, tmp_path / "values.csv")),
                             (factors, lambda readings: gonio.predict_from_factors(factors, readings)),
                             (factors, lambda readings: factors.save_readings(readings, tmp_path / "readings.csv"))):

@@ -39,6 +39,8 @@ int main(int argumentCount, char** arguments) {
   if (!qEnvironmentVariableIsSet("DISPLAY") && !qEnvironmentVariableIsSet("WAYLAND_DISPLAY"))
     qputenv("QT_QPA_PLATFORM", "offscreen");
 #endif
+  // What programs keep between runs does not come from the user, nor goes to them.
+  qputenv("XDG_CACHE_HOME", GONIO_TEST_OUTPUT_DIR "/cache");
   QCoreApplication::setAttribute(Qt::AA_Use96Dpi);
   const Application application(argumentCount, arguments);
   return test->second(argumentCount, arguments);

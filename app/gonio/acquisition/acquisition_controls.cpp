@@ -187,6 +187,8 @@ void TrainingRows::build(QFormLayout& form) {
   m_box->addItems({tr("Measured materials"), tr("Near-measured copies of MERL"), tr("Published fits"),
                    tr("Measured and near-measured"), tr("Materials shown in the library"), QString(), tr("Folder...")});
   hideItem(*m_box, otherSet, true);
+  m_box->setCurrentIndex(library);
+  m_last = library;
   form.addRow(tr("Materia&ls"), m_box);
   m_leaveOut->setToolTip(
       tr("Excludes the measured material, and files of the same name, from the training set; otherwise the error is "
