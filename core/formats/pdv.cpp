@@ -23,10 +23,10 @@ using factorization::PdvFactors;
 using factorization::PdvForm;
 using factorization::PdvTerm;
 
-constexpr io::ContainerFormat containerOf(bool hasNegativeValues) {
+constexpr io::ContainerFormat pdvContainerOf(bool hasNegativeValues) {
   return {.name = "PDV", .signature = "GONIOPDV", .version = hasNegativeValues ? 2u : 1u, .readVersion = 1};
 }
-constexpr io::ContainerFormat pdvContainer = containerOf(true);
+constexpr io::ContainerFormat pdvContainer = pdvContainerOf(true);
 constexpr std::uint32_t maxFactorNodes = factorization::maxPdvNodes;
 enum HeaderAt { formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
 using Header = std::array<std::uint32_t, headerNumbers>;
@@ -113,7 +113,7 @@ std::size_t pdvFileBytes(factorization::PdvForm form, int terms) {
 
 void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
   PdvFactors f = factors;
-  io::ContainerWriter file(containerOf(f.lowest < 0));
+  io::ContainerWriter file(pdvContainerOf(f.lowest < 0));
   file.values(Header{f.form == PdvForm::twoFactors ? 0u : 1u, std::uint32_t(f.transform),
                      std::uint32_t(f.thetaNodes.size()), std::uint32_t(f.deviationNodes.size()),
                      std::uint32_t(f.phiNodes.size()), std::uint32_t(f.terms())});
