@@ -29,7 +29,7 @@ std::filesystem::path basisBeside(const std::string& plan) {
 }
 
 std::string basisDigest(const std::filesystem::path& basis) {
-  return withFileInErrors(basis, [&] { return io::sha256Hex(io::FileSource(basis)).substr(0, 16); });
+  return withFileInErrors(basis, [&] { return io::sha256Hex(io::FileSource(basis)).substr(0, digestLength); });
 }
 
 Json WrittenMaterial::json() const {

@@ -26,7 +26,8 @@ std::string trainingSetHelp(const std::string& title);
 /// Path of a plan's basis, beside the plan: PLAN.basis for PLAN.csv.
 std::filesystem::path basisBeside(const std::string& plan);
 
-/// Identifies the basis in a plan: the first 16 characters of the file's SHA-256. @throws Error that names the file.
+/// Identifies the basis in a plan: the first characters of the file's SHA-256. @throws Error that names the file.
+inline constexpr std::size_t digestLength = 16;
 std::string basisDigest(const std::filesystem::path& basis);
 
 inline constexpr const char* materialHelp = "A material: a file, a .gonio document, or library:SOURCE/NAME";

@@ -75,9 +75,9 @@ double travelDegrees(const SamplingPlan& plan) {
 }
 
 /// The kept file gets a second name beside the plan, which costs neither time nor space; where it holds other
-/// components, or the file system has no hard links, a file is written.
-void placeBasis(const study::LearnedBasis& learned, int components, materials::BasisPrecision precision,
-                const std::filesystem::path& path) {
+/// components, or the file system has no hard links, a file is written. Returns basisDigest().
+std::string placeBasis(const study::LearnedBasis& learned, int components, materials::BasisPrecision precision,
+                       const std::filesystem::path& path) {
   const materials::BasisFile& basis = *learned.basis;
   if (!learned.file.empty() && components >= basis.components.count()) {
     const std::filesystem::path temporary = path.string() + ".link";
@@ -85,9 +85,10 @@ void placeBasis(const study::LearnedBasis& learned, int components, materials::B
     std::filesystem::remove(temporary, failed);
     std::filesystem::create_hard_link(learned.file, temporary, failed);
     if (!failed) std::filesystem::rename(temporary, path, failed);
-    if (!failed) return;
+    if (!failed) return learned.digest.substr(0, digestLength);
   }
   materials::writeBasis(basis.components, components, basis.learnedFrom, path, precision);
+  return basisDigest(path);
 }
 
 void report(const PlanArguments& options, const SamplingPlan& plan, const SampleSelection& selection,
@@ -137,8 +138,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   plan.method = options.method;
   const int components = std::min(wanted, basis.components.count());
   // A plan names its basis: without the one the other is not written.
-  placeBasis(learned, components, precision, basisPath);
-  plan.basisDigest = basisDigest(basisPath);
+  plan.basisDigest = placeBasis(learned, components, precision, basisPath);
   acquisition::writePlan(
       plan, options.out,
       {"training set: " + std::to_string(basis.learnedFrom.size()) + " materials",

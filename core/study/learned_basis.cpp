@@ -65,9 +65,11 @@ std::optional<LearnedBasis> kept(const std::string& key, const TaskControl& cont
   if (file.empty()) return std::nullopt;
   std::error_code failed;
   try {
-    const std::string digest = io::sha256Hex(io::FileSource(file), control.stop);
+    const std::vector<std::byte> bytes = io::FileSource(file).readAll();
+    control.throwIfStopped();
+    const std::string digest = io::sha256Hex(bytes);
     if (digest == digestIn(file)) {
-      LearnedBasis result{.basis = materials::readBasis(file), .file = file, .digest = digest};
+      LearnedBasis result{.basis = materials::readBasis(io::MemorySource(bytes)), .file = file, .digest = digest};
       fs::last_write_time(file, fs::file_time_type::clock::now(), failed);
       return result;
     }
