@@ -172,7 +172,8 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->add_option(
           "--method", options->method,
           "somp: simultaneous orthogonal matching pursuit (FROST); somp-first-columns: the same over the first "
-          "training signals only; condition-number: search for the smallest condition number; random: random "
+          "training signals only; somp-unnormalised: Algorithm 4 as printed, without the normalisation of the columns; "
+          "condition-number: search for the smallest condition number; random: random "
           "directions; uniform: evenly spread directions; a-optimal: smallest expected variance of all cells (somp)")
       ->check(CLI::IsMember(std::vector<std::string>(selectionMethodNames.begin(), selectionMethodNames.end())));
   command

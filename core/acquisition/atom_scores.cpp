@@ -13,11 +13,17 @@
 
 namespace gonio::acquisition {
 
-CellAtoms::CellAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows)
+CellAtoms::CellAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows,
+                     AtomLengths lengths)
     : basis_(basis),
       inverseSigma_(basis.svd.singularValues[components - 1] *
                     basis.svd.singularValues.head(components).cwiseInverse()),
-      rows_(std::move(rows)) {}
+      rows_(std::move(rows)) {
+  if (lengths == AtomLengths::unit) return;
+  double longest = 0;
+  for (const std::size_t row : rows_) longest = std::max(longest, column(row).norm());
+  scale_ = longest > 0 ? 1 / longest : 1;
+}
 
 Eigen::VectorXd CellAtoms::column(std::size_t row) const {
   return basis_.svd.u.view()
@@ -40,7 +46,7 @@ Eigen::MatrixXf CellAtoms::inSinglePrecision(Eigen::Index begin, Eigen::Index en
     const float norm = column.norm();
     // Below this digits are lost; 0 stays 0.
     if (norm > shortest)
-      column /= norm;
+      column *= scale_ > 0 ? float(scale_) : 1 / norm;
     else
       column = exact(atom).cast<float>();
   }

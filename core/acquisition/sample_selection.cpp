@@ -72,7 +72,8 @@ SampleSelection pursue(const PrincipalComponents& basis, const SelectionOptions&
   const Eigen::Index signals = options.method == SelectionMethod::simultaneousPursuitFirstColumns
                                    ? std::min<Eigen::Index>(components, basis.svd.v.rows())
                                    : basis.svd.v.rows();
-  const CellAtoms atoms(basis, components, rows);
+  const bool isPrinted = options.method == SelectionMethod::simultaneousPursuitUnnormalised;
+  const CellAtoms atoms(basis, components, rows, isPrinted ? AtomLengths::own : AtomLengths::unit);
   const auto cellOf = [&](Eigen::Index atom) { return basis.mapping.cells[atoms.row(atom)]; };
   const SimultaneousPursuitResult pursuit =
       simultaneousPursuit(atoms, basis.svd.v.topLeftCorner(signals, components).transpose(), options.samples, control,
@@ -135,7 +136,8 @@ SampleSelection selectOtherwise(const PrincipalComponents& basis, const Selectio
 }
 
 bool isPursuit(SelectionMethod method) {
-  return method == SelectionMethod::simultaneousPursuit || method == SelectionMethod::simultaneousPursuitFirstColumns;
+  return method == SelectionMethod::simultaneousPursuit || method == SelectionMethod::simultaneousPursuitFirstColumns ||
+         method == SelectionMethod::simultaneousPursuitUnnormalised;
 }
 
 bool needsComponents(SelectionMethod method) {

@@ -21,15 +21,18 @@ enum class SelectionMethod {
   /// Acquisition", Algorithm 4).
   simultaneousPursuit,
   simultaneousPursuitFirstColumns,  ///< over the first p training signals only, like the authors' released code
-  conditionNumber,                  ///< the search of Nielsen et al. 2015
-  random,                           ///< all measurable cells with equal probability
-  uniform,                          ///< evenly spread over the solid angles of light and viewer; deterministic
-  aOptimal                          ///< smallest expected variance of all cells (a_optimal_selection.h)
+  /// Algorithm 4 as printed: the columns of D^-1 keep their lengths (AtomLengths), which favours cells that depend
+  /// mostly on components of small variance.
+  simultaneousPursuitUnnormalised,
+  conditionNumber,  ///< the search of Nielsen et al. 2015
+  random,           ///< all measurable cells with equal probability
+  uniform,          ///< evenly spread over the solid angles of light and viewer; deterministic
+  aOptimal          ///< smallest expected variance of all cells (a_optimal_selection.h)
 };
 
 /// Names in JSON, in plans and on the command line, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 6> selectionMethodNames{
-    "somp", "somp-first-columns", "condition-number", "random", "uniform", "a-optimal"};
+inline constexpr std::array<std::string_view, 7> selectionMethodNames{
+    "somp", "somp-first-columns", "somp-unnormalised", "condition-number", "random", "uniform", "a-optimal"};
 
 /// Minimum number of components of aOptimal if SelectionOptions::components is 0.
 inline constexpr int aOptimalComponents = 30;

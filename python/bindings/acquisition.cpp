@@ -200,7 +200,8 @@ py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int
   const auto found = std::ranges::find(selectionMethodNames, method);
   if (found == selectionMethodNames.end())
     throw Error("method: found '" + method +
-                "', expected somp, somp-first-columns, condition-number, random, uniform or a-optimal");
+                "', expected somp, somp-first-columns, somp-unnormalised, condition-number, random, uniform or "
+                "a-optimal");
   const SelectionOptions options{.method = SelectionMethod(found - selectionMethodNames.begin()),
                                  .samples = samples,
                                  .components = components,

@@ -311,7 +311,8 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
         basis: Principal components of the training set; None: gonio.learn_basis().
         method: "somp" (simultaneous orthogonal matching pursuit, FROST; Tongbuasirilai 2023, Data-Driven Approaches for
             Sparse Reflectance Modeling and Acquisition, Algorithm 4), "somp-first-columns" (the same over the first
-            training signals alone, as in the authors' code), "condition-number" (Nielsen et al. 2015), "random",
+            training signals alone, as in the authors' code), "somp-unnormalised" (Algorithm 4 as printed, without the
+            normalisation of the columns), "condition-number" (Nielsen et al. 2015), "random",
             "uniform" or "a-optimal" (the smallest expected variance of all cells, docs/acquisition.md).
         components: Number of components that the choice uses; 0: the number of samples, with "a-optimal" at least 30.
         max_polar_angle: Maximum polar angle of both directions, rad.
@@ -324,10 +325,11 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
 
     Returns:
         A plan with three more attributes: `condition_number`, the largest over the smallest singular value of the basis' rows
-        at the samples; `residuals`, before the first sample and after each, shape (samples + 1,): for "somp" and
-        "somp-first-columns" the relative residual of the training signals, for "a-optimal" the square root of the expected
-        variance of all cells, relative to that before the first sample; otherwise empty; `warning`, the reason if there are
-        fewer samples than requested, otherwise "". A plan of given directions has NaN, an empty array and "".
+        at the samples; `residuals`, before the first sample and after each, shape (samples + 1,): for the
+        methods whose names begin with "somp" the relative residual of the training signals, for "a-optimal" the square root
+        of the expected variance of all cells, relative to that before the first sample; otherwise empty; `warning`, the
+        reason if there are fewer samples than requested, otherwise "". A plan of given directions has NaN, an empty array
+        and "".
 
     Raises:
         Error: An argument is out of its range, or no direction can be measured.

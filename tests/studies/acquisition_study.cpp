@@ -10,11 +10,11 @@
 // reconstructed. With
 // --measured, the training set is all files of the folders except those whose name a file of FOLDER has, and the files
 // of FOLDER (.binary and .bsdf) are reconstructed. With --training, the training set is N of these materials, at even
-// distances in their order. Selections: somp, somp-first-columns, condition-number, a-optimal, random, uniform, and
-// pdv, the two curves of a rig with two arms (half the readings each), which needs no training set; random selections
-// are repeated with N seeds (5). --components adds reconstructions with P components for the directions of somp, with
-// the ridge 40 (ridge-40-P) and by leave-one-out (ridge-auto-P). One line per case; records are kept in the file, and
-// what is in it is not computed again. At the end tables.
+// distances in their order. Selections: somp, somp-first-columns, somp-unnormalised, condition-number, a-optimal,
+// random, uniform, and pdv, the two curves of a rig with two arms (half the readings each), which needs no training
+// set; random selections are repeated with N seeds (5). --components adds reconstructions with P components for the
+// directions of somp, with the ridge 40 (ridge-40-P) and by leave-one-out (ridge-auto-P). One line per case; records
+// are kept in the file, and what is in it is not computed again. At the end tables.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -50,6 +50,7 @@ struct Selection {
 constexpr Selection selections[] = {
     {"somp", acquisition::SelectionMethod::simultaneousPursuit, false},
     {"somp-first-columns", acquisition::SelectionMethod::simultaneousPursuitFirstColumns, false},
+    {"somp-unnormalised", acquisition::SelectionMethod::simultaneousPursuitUnnormalised, false},
     {"condition-number", acquisition::SelectionMethod::conditionNumber, true},
     {"a-optimal", acquisition::SelectionMethod::aOptimal, false},
     {"random", acquisition::SelectionMethod::random, true},

@@ -88,6 +88,9 @@ void DirectionRows::buildMethod(QFormLayout& form) {
           "material (FROST)")},
       {acquisition::SelectionMethod::simultaneousPursuitFirstColumns, tr("SOMP, as released"),
        tr("SOMP over only the first m training signals, as in the authors' released code")},
+      {acquisition::SelectionMethod::simultaneousPursuitUnnormalised, tr("SOMP, as printed"),
+       tr("SOMP over all training signals without the normalisation of the columns (Tongbuasirilai 2023, Algorithm "
+          "4)")},
       {acquisition::SelectionMethod::conditionNumber, tr("Condition number"),
        tr("Minimises the condition number (Nielsen et al. 2015); much slower, especially for many samples")},
       {acquisition::SelectionMethod::random, tr("Random"),

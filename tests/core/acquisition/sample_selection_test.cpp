@@ -16,13 +16,15 @@ using namespace gonio::acquisition;
 using namespace gonio::acquisition::test_support;
 
 constexpr SelectionMethod pursuits[] = {SelectionMethod::simultaneousPursuit,
-                                        SelectionMethod::simultaneousPursuitFirstColumns};
+                                        SelectionMethod::simultaneousPursuitFirstColumns,
+                                        SelectionMethod::simultaneousPursuitUnnormalised};
 
 PlainPursuit plain(const dictionary::PrincipalComponents& basis, const SelectionOptions& options) {
   const int components = options.components > 0 ? options.components : options.samples;
   const bool few = options.method == SelectionMethod::simultaneousPursuitFirstColumns;
   return plainPursuit(basis, components, few ? components : basis.svd.v.rows(), options.samples,
-                      measurableCells(basis, options.measurable));
+                      measurableCells(basis, options.measurable),
+                      options.method != SelectionMethod::simultaneousPursuitUnnormalised);
 }
 
 /// The same cells, and the same residuals to rounding, which never rise.

@@ -16,12 +16,14 @@ using namespace gonio::acquisition::test_support;
 
 constexpr SelectionMethod allMethods[] = {SelectionMethod::simultaneousPursuit,
                                           SelectionMethod::simultaneousPursuitFirstColumns,
+                                          SelectionMethod::simultaneousPursuitUnnormalised,
                                           SelectionMethod::conditionNumber,
                                           SelectionMethod::random,
                                           SelectionMethod::uniform,
                                           SelectionMethod::aOptimal};
 constexpr SelectionMethod pursuits[] = {SelectionMethod::simultaneousPursuit,
-                                        SelectionMethod::simultaneousPursuitFirstColumns};
+                                        SelectionMethod::simultaneousPursuitFirstColumns,
+                                        SelectionMethod::simultaneousPursuitUnnormalised};
 
 /// The text of the error; empty when there is none.
 QString errorOf(const dictionary::PrincipalComponents& basis, const SelectionOptions& options) {

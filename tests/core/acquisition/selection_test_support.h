@@ -84,10 +84,15 @@ struct PlainPursuit {
   std::vector<double> residuals;
 };
 
-/// Sigma^-1 U^T of the first components with columns of unit length, everything in double.
-inline Eigen::MatrixXd unitAtoms(const dictionary::PrincipalComponents& basis, Eigen::Index components) {
+/// Sigma^-1 U^T of the first components, in double.
+inline Eigen::MatrixXd leftInverse(const dictionary::PrincipalComponents& basis, Eigen::Index components) {
   const Eigen::MatrixXd u = basis.svd.u.view().leftCols(components).cast<double>();
-  Eigen::MatrixXd atoms = basis.svd.singularValues.head(components).cwiseInverse().asDiagonal() * u.transpose();
+  return basis.svd.singularValues.head(components).cwiseInverse().asDiagonal() * u.transpose();
+}
+
+/// The same with columns of unit length.
+inline Eigen::MatrixXd unitAtoms(const dictionary::PrincipalComponents& basis, Eigen::Index components) {
+  Eigen::MatrixXd atoms = leftInverse(basis, components);
   for (Eigen::Index i = 0; i < atoms.cols(); ++i)
     if (atoms.col(i).norm() > 0) atoms.col(i) /= atoms.col(i).norm();
   return atoms;
@@ -95,8 +100,9 @@ inline Eigen::MatrixXd unitAtoms(const dictionary::PrincipalComponents& basis, E
 
 /// Every score anew, every residual by a solution of least squares of its own.
 inline PlainPursuit plainPursuit(const dictionary::PrincipalComponents& basis, Eigen::Index components,
-                                 Eigen::Index signals, int samples, const std::vector<std::uint32_t>& allowed) {
-  const Eigen::MatrixXd atoms = unitAtoms(basis, components);
+                                 Eigen::Index signals, int samples, const std::vector<std::uint32_t>& allowed,
+                                 bool normalised = true) {
+  const Eigen::MatrixXd atoms = normalised ? unitAtoms(basis, components) : leftInverse(basis, components);
   const Eigen::MatrixXd s = basis.svd.v.topLeftCorner(signals, components).transpose();
   const std::set<std::uint32_t> open(allowed.begin(), allowed.end());
   PlainPursuit result{.residuals = {1.0}};
