@@ -22,6 +22,11 @@ namespace fs = std::filesystem;
 /// Changes with the meaning of a kept basis.
 constexpr int generation = 1;
 
+/// The means of both orders of the directions cover half a circle of phi_d.
+HalfDifferenceGrid gridOfMeans(const HalfDifferenceGrid& grid) {
+  return {grid.thetaHCount, grid.thetaDCount, grid.reciprocal ? grid.phiDCount : grid.phiDCount / 2, true};
+}
+
 /// What identifies a training material without reading it; empty where nothing does.
 std::string identityOf(const std::string& file) {
   if (file.starts_with(materials::libraryScheme)) return materials::librarySha256(file);
@@ -137,7 +142,7 @@ LearnedBasis learnedBasis(const std::vector<std::string>& files, int components,
   if (!key.empty())
     if (auto known = kept(key, control)) return *known;
   const auto start = std::chrono::steady_clock::now();
-  const auto training = trainingMaterials(files);
+  const auto training = trainingMaterials(files, gridOfMeans(trainingGrid(files)));
   const auto learned = dictionary::learnPrincipalComponents(training.names.size(), training.load,
                                                             {.maxComponents = components}, control);
   const std::vector<std::byte> bytes = materials::encodeBasis(learned, components, training.names, precision);

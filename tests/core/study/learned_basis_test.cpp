@@ -66,6 +66,19 @@ class LearnedBasisTest : public QObject {
     QVERIFY(learnedBasis({files_[0], files_[1]}, 4).basis->components.svd.v.rows() == 6);
   }
 
+  /// Tables of another grid, and of both orders of the directions, of which the mean is learned.
+  void gridOfTheTables() {
+    const auto folder = test::emptyFolder("learned_basis/both_orders");
+    std::vector<std::string> files;
+    for (int i = 0; i < 2; ++i) {
+      const auto brdf = models::ggx().instantiate(models::defaultParameters(models::ggx().spec()));
+      files.push_back((folder / ("w" + std::to_string(i) + ".binary")).string());
+      test::writeTable(*bakeTable(*brdf, {16, 16, 48, false}), files.back());
+    }
+    const HalfDifferenceGrid grid = learnedBasis(files, 2).basis->components.mapping.grid;
+    QVERIFY(grid == (HalfDifferenceGrid{16, 16, 24, true}));
+  }
+
   /// A kept file whose bytes changed is not used.
   void damagedFileIsLearnedAgain() {
     const LearnedBasis good = learnedBasis(files_, 4);
