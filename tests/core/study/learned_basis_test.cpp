@@ -73,10 +73,10 @@ class LearnedBasisTest : public QObject {
     for (int i = 0; i < 2; ++i) {
       const auto brdf = models::ggx().instantiate(models::defaultParameters(models::ggx().spec()));
       files.push_back((folder / ("w" + std::to_string(i) + ".binary")).string());
-      test::writeTable(*bakeTable(*brdf, {16, 16, 48, false}), files.back());
+      test::writeTable(*bakeTable(*brdf, {16, 16, 64, false}), files.back());
     }
     const HalfDifferenceGrid grid = learnedBasis(files, 2).basis->components.mapping.grid;
-    QVERIFY(grid == (HalfDifferenceGrid{16, 16, 24, true}));
+    QVERIFY(grid == (HalfDifferenceGrid{16, 16, 32, true}));
   }
 
   /// A kept file whose bytes changed is not used.
