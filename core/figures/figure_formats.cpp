@@ -127,6 +127,7 @@ struct CairoPainter {
     setStroke(item.colour, item.lineWidth);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(cairo, &item.dash, item.dash > 0 ? 1 : 0, 0);
+    cairo_new_path(cairo);  // a text leaves a current point
     for (const glm::dvec2& point : item.points) cairo_line_to(cairo, point.x, point.y);
     cairo_stroke(cairo);
     cairo_set_dash(cairo, nullptr, 0, 0);

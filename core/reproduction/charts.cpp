@@ -35,7 +35,7 @@ FigureDrawing newPage(const std::string& title) {
   return page;
 }
 
-constexpr double contentTop = 2 * pageMargin + pageLine + 1;
+constexpr double contentTop = 2 * pageMargin + pageLine + 3;
 
 std::string tickText(double value) {
   char text[32];
@@ -48,7 +48,7 @@ class ChartPainter {
  public:
   ChartPainter(const Chart& chart, const PageRectangle& place, FigureDrawing& page)
       : chart_(chart), page_(page), width_(cairoTextWidth(pageFont)) {
-    area_ = {place.x + 13, place.y + 5, place.width - 16, place.height - 15 - legendHeight(place.width - 16)};
+    area_ = {place.x + 14, place.y + 5, place.width - 18, place.height - 15 - legendHeight(place.width - 18)};
     x_ = scaleOf(chart.xRange, chart.logX, 0);
     y_ = scaleOf(chart.yRange, chart.logY, 1);
     if (chart.isDisk) fitDisk(place);

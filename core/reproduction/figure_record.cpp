@@ -45,6 +45,7 @@ std::vector<InputMaterial> materialsOf(const FigureRecord& record, const Inputs&
     for (const MaterialSet set : record.wholeSets)
       std::ranges::copy(inputs.materials(set), std::back_inserter(materials));
   }
+  if (record.isLearned) std::ranges::copy(inputs.trainingMaterials(), std::back_inserter(materials));
   return materials;
 }
 

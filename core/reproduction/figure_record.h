@@ -16,6 +16,9 @@
 /// Acquisition", made from a user's materials.
 namespace gonio::reproduction {
 
+/// Seed of all random numbers; figures that need independent ones count from it.
+inline constexpr int runSeed = 1;
+
 /// A number that the dissertation prints. `name` is that of the ReproducedValue that is compared with it.
 struct PrintedValue {
   std::string_view name;
@@ -46,6 +49,7 @@ struct FigureRecord {
   std::string_view differences;        ///< known reasons for differences
   std::vector<Subject> subjects;       ///< the materials of the figure, in the order in which the maker reads them
   std::vector<MaterialSet> wholeSets;  ///< sets of which it uses all materials, or the test materials of a quick run
+  bool isLearned = false;              ///< whether it uses Inputs::trainingMaterials()
   double fullMinutes = 0, quickMinutes = 0;  ///< on two cores, with 100 MERL, 51 RGL and 6 DTU materials
   /// Deterministic except for times. @throws Error that states the cause; Cancelled.
   MadeFigure (*make)(const FigureRecord& record, Inputs& inputs, const TaskControl& control) = nullptr;
@@ -67,7 +71,8 @@ std::vector<FigureRecord> factorFigures();       ///< 2.6, 4.3, 4.4, 4.8, 5.3, 5
 std::vector<FigureRecord> dictionaryFigures();   ///< 2.8, 4.5 to 4.7, 4.9
 std::vector<FigureRecord> acquisitionFigures();  ///< 5.5 to 5.9, table 5.1
 
-/// The materials that a figure uses: its subjects, then those of its whole sets (testMaterials() in a quick run).
+/// The materials that a figure uses: its subjects, then those of its whole sets (testMaterials() in a quick run), then
+/// the training set.
 std::vector<InputMaterial> materialsOf(const FigureRecord& record, const Inputs& inputs);
 
 }  // namespace gonio::reproduction

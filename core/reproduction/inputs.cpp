@@ -73,6 +73,14 @@ std::vector<InputMaterial> Inputs::testMaterials(std::span<const MaterialSet> se
   return found;
 }
 
+std::vector<InputMaterial> Inputs::trainingMaterials() const {
+  std::vector<InputMaterial> training;
+  const std::size_t step = quick() ? 4 : 1;
+  for (const MaterialSet set : {MaterialSet::merl, MaterialSet::rgl})
+    for (std::size_t i = 0; i < materials(set).size(); i += step) training.push_back(materials(set)[i]);
+  return training;
+}
+
 InputMaterial Inputs::find(const Subject& subject) const {
   const auto named = [&](std::string_view name) {
     return std::ranges::find(materials(subject.set), name, &InputMaterial::name);

@@ -61,6 +61,8 @@ class Inputs {
   std::span<const InputMaterial> materials(MaterialSet set) const { return sets_[std::size_t(set)]; }
   /// The four materials of a quick run that are in one of the sets: one of each kind.
   std::vector<InputMaterial> testMaterials(std::span<const MaterialSet> sets) const;
+  /// The training set of acquisition: MERL and RGL, of a quick run every fourth material of each.
+  std::vector<InputMaterial> trainingMaterials() const;
   /// The material of a subject or its first substitute that exists. @throws Error that names it and the set.
   InputMaterial find(const Subject& subject) const;
 

@@ -13,9 +13,6 @@
 /// The files of a run: STEM.pdf, STEM.csv, STEM.svg and STEM.json for each figure, and report.html.
 namespace gonio::reproduction {
 
-/// Seed of all random numbers; figures that need independent ones count from it.
-inline constexpr int runSeed = 1;
-
 /// A material that a figure was made from; the folder of its file is not stored.
 struct UsedMaterial {
   std::string name, file, sha256;

@@ -237,7 +237,7 @@ MadeFigure makeCoordinates(const FigureRecord& record, Inputs& inputs, const Tas
                 .yRange = std::array{-1.05, 1.05},
                 .isDisk = true};
     double widest = 0;
-    for (const double fraction : {0.5, 0.2, 0.1, 0.05, 0.02}) {
+    for (const double fraction : {0.1, 0.03, 0.01, 0.003, 0.001}) {
       control.throwIfStopped();
       const IsoContour contour = isoContour(*table, radians(angle), fraction);
       ChartSeries series{.points = {}, .colour = "#d55e00"};
@@ -252,10 +252,10 @@ MadeFigure makeCoordinates(const FigureRecord& record, Inputs& inputs, const Tas
         z.push_back(std::sqrt(std::max(0., 1 - at.x * at.x - at.y * at.y)));
       }
       chart.series.push_back(std::move(series));
-      if (fraction == 0.1) widest = contour.spread();
+      if (fraction == 0.01) widest = contour.spread();
     }
     charts.push_back(std::move(chart));
-    made.values.push_back({"iso-contour at a tenth of the mirror value, theta_o = " + shortText(angle) +
+    made.values.push_back({"iso-contour at a hundredth of the mirror value, theta_o = " + shortText(angle) +
                                " degrees, standard deviation of |Dp| over mean",
                            "", widest});
   }
