@@ -20,7 +20,7 @@ struct ReproduceArguments {
   InputOptions inputs;
   std::vector<std::string> only;
   std::string out;
-  bool again = false;
+  bool again = false, list = false;
 };
 
 double expectedMinutes(const FigureRecord& record, bool quick) {
@@ -114,8 +114,39 @@ std::vector<const FigureRecord*> figuresOf(const ReproduceArguments& options) {
   }
 }
 
+std::string minutesText(double minutes) {
+  if (minutes >= 90) return std::to_string(std::lround(minutes / 60)) + " h";
+  if (minutes >= 1) return std::to_string(std::lround(minutes)) + " min";
+  return std::to_string(std::max(1L, std::lround(60 * minutes))) + " s";
+}
+
+/// The records; as text the table of docs/reproduction.md.
+int list(std::span<const FigureRecord* const> figures, const Tool& tool) {
+  Json json = Json::array();
+  std::string text = "| | shows | printed values | quick | full |\n|---|---|---|---|---|\n";
+  for (const FigureRecord* figure : figures) {
+    Json printed = Json::array();
+    for (const PrintedValue& value : figure->printed) printed.push_back({{"name", value.name}, {"value", value.value}});
+    json.push_back({{"figure", figure->id},
+                    {"files", figure->stem()},
+                    {"title", figure->title},
+                    {"printed", printed},
+                    {"source", figure->source},
+                    {"differences", figure->differences},
+                    {"quickMinutes", figure->quickMinutes},
+                    {"fullMinutes", figure->fullMinutes}});
+    text += "| " + figure->name() + " | " + std::string(figure->title) + " | " +
+            (printed.empty() ? "none" : std::to_string(printed.size())) + " | " + minutesText(figure->quickMinutes) +
+            " | " + minutesText(figure->fullMinutes) + " |\n";
+  }
+  print(tool, {{"figures", json}}, text);
+  return 0;
+}
+
 int reproduce(const ReproduceArguments& options, const Tool& tool) {
   const auto figures = figuresOf(options);
+  if (options.list) return list(figures, tool);
+  if (options.out.empty()) throw UsageError("reproduce: --out is missing: name a folder, or use --list");
   Inputs inputs(options.inputs);
   std::error_code cause;
   std::filesystem::create_directories(options.out, cause);
@@ -128,9 +159,8 @@ int reproduce(const ReproduceArguments& options, const Tool& tool) {
   for (const FigureRecord* figure : figures) {
     tool.throwIfStopped();
     const std::string number = std::to_string(results.size() + 1) + " of " + std::to_string(figures.size());
-    const FigureResult result =
-        makeOrKeep(*figure, inputs, options,
-                   tool.control(figure->name() + " (" + number + ", " + estimate.text() + ")"));
+    const FigureResult result = makeOrKeep(*figure, inputs, options,
+                                           tool.control(figure->name() + " (" + number + ", " + estimate.text() + ")"));
     estimate.finished(*figure, result.seconds / 60, result.isKept);
     results.push_back(result);
     // After each figure: an interrupted run leaves a report of what it made.
@@ -138,8 +168,7 @@ int reproduce(const ReproduceArguments& options, const Tool& tool) {
   }
   const bool usesCopies = inputs.folder(MaterialSet::merl).empty();
   Json json{{"copies", usesCopies}, {"quick", inputs.quick()}, {"figures", Json::array()}, {"report", report.string()}};
-  std::string text =
-      usesCopies ? "No MERL files were given (--merl): near-measured copies stand for them.\n" : "";
+  std::string text = usesCopies ? "No MERL files were given (--merl): near-measured copies stand for them.\n" : "";
   bool failed = false;
   for (const FigureResult& result : results) {
     json["figures"].push_back(figureJson(result));
@@ -185,11 +214,12 @@ void addReproduce(CLI::App& app, Tool& tool) {
                         std::to_string(std::lround(totalMinutes(false) / 60)) + " hours");
   command->add_flag("--again", options->again,
                     "Make all figures again, also those in the folder whose materials and version have not changed");
+  command->add_flag("--list", options->list,
+                    "List the figures with their printed values and times instead of making them");
   command
       ->add_option("--out", options->out,
                    "Folder, created if needed, for report.html and for a PDF, CSV and SVG file of each figure")
-      ->group(outputGroup)
-      ->required();
+      ->group(outputGroup);
   command->callback([options, &tool] { tool.run = [options, &tool] { return reproduce(*options, tool); }; });
 }
 

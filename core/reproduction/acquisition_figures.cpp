@@ -112,8 +112,11 @@ MadeFigure makePipeline(const FigureRecord& record, Inputs& inputs, const TaskCo
   const rendering::RenderedComparison comparison(*table, inputs.picture(), {control.stop, {}});
   const auto picture = comparison.render(*result, {control.stop, {}});
   MadeFigure made;
-  Chart variance{.title = "(a) variance in the first components", .xTitle = "number of components",
-                 .yTitle = "fraction", .series = {{.points = {}}}, .yRange = std::array{0., 1.02}};
+  Chart variance{.title = "(a) variance in the first components",
+                 .xTitle = "number of components",
+                 .yTitle = "fraction",
+                 .series = {{.points = {}}},
+                 .yRange = std::array{0., 1.02}};
   const Eigen::VectorXd sigma = basis->svd.singularValues.cast<double>();
   std::vector<double> numbers, fractions;
   double sum = 0;
@@ -123,8 +126,11 @@ MadeFigure makePipeline(const FigureRecord& record, Inputs& inputs, const TaskCo
     fractions.push_back(sum / sigma.squaredNorm());
     variance.series[0].points.emplace_back(numbers.back(), fractions.back());
   }
-  Chart places{.title = "(b) chosen directions", .xTitle = "theta_h [degrees]", .yTitle = "theta_d [degrees]",
-               .series = {{.points = {}, .isLine = false, .hasMarkers = true}}, .xRange = std::array{0., 90.},
+  Chart places{.title = "(b) chosen directions",
+               .xTitle = "theta_h [degrees]",
+               .yTitle = "theta_d [degrees]",
+               .series = {{.points = {}, .isLine = false, .hasMarkers = true}},
+               .xRange = std::array{0., 90.},
                .yRange = std::array{0., 90.}};
   for (const auto& sample : chosen.plan.samples) {
     const HalfDifference at = toHalfDifference(sample.directions.wi, sample.directions.wo);
@@ -132,10 +138,17 @@ MadeFigure makePipeline(const FigureRecord& record, Inputs& inputs, const TaskCo
   }
   std::vector<Chart> charts{variance, places};
   const double ratio = comparison.signalToNoiseRatio(picture);
-  for (const auto& [title, image] : {std::pair{std::string("(c) measured: ") + shownName(subject), &comparison.reference()},
-                                     std::pair{"(d) from 20 samples: SNR " + shortText(ratio) + " dB", &picture.image}})
-    charts.push_back({.title = title, .xTitle = {}, .yTitle = {}, .series = {}, .xRange = std::array{0., 1.},
-                      .yRange = std::array{0., 1.}, .isDisk = true, .raster = shownPicture(*image)});
+  for (const auto& [title, image] :
+       {std::pair{std::string("(c) measured: ") + shownName(subject), &comparison.reference()},
+        std::pair{"(d) from 20 samples: SNR " + shortText(ratio) + " dB", &picture.image}})
+    charts.push_back({.title = title,
+                      .xTitle = {},
+                      .yTitle = {},
+                      .series = {},
+                      .xRange = std::array{0., 1.},
+                      .yRange = std::array{0., 1.},
+                      .isDisk = true,
+                      .raster = shownPicture(*image)});
   made.drawing = drawCharts(std::string(record.title), charts, 2);
   made.table.columns = {{"number of components", numbers}, {"fraction of the variance", fractions}};
   made.values = {{"training materials", "", double(training.size())},
@@ -170,10 +183,8 @@ MadeFigure makeSamplesAndComponents(const FigureRecord& record, Inputs& inputs, 
       std::vector<double> own;
       for (const InputMaterial& test : tests) {
         const auto table = inputs.table(test, control);
-        const acquisition::ReconstructionOptions options{.ridge = acquisition::publishedRidge,
-                                                         .components = p,
-                                                         .uncertainty = false,
-                                                         .equalNoise = true};
+        const acquisition::ReconstructionOptions options{
+            .ridge = acquisition::publishedRidge, .components = p, .uncertainty = false, .equalNoise = true};
         const auto result =
             acquisition::reconstruct(*basis, first, acquisition::measure(*table, first), options, {control.stop, {}});
         own.push_back(inverseError(*basis, *table, *result.table));
@@ -187,8 +198,8 @@ MadeFigure makeSamplesAndComponents(const FigureRecord& record, Inputs& inputs, 
   raster.rgba.assign(4 * sampleCounts.size() * componentCounts.size(), 255);
   for (std::size_t i = 0; i < inverses.size(); ++i) {
     const std::size_t column = std::size_t(std::ranges::find(sampleCounts, int(ms[i])) - sampleCounts.begin());
-    const std::size_t row =
-        componentCounts.size() - 1 - std::size_t(std::ranges::find(componentCounts, int(ps[i])) - componentCounts.begin());
+    const std::size_t row = componentCounts.size() - 1 -
+                            std::size_t(std::ranges::find(componentCounts, int(ps[i])) - componentCounts.begin());
     const auto colour = rendering::viridis(inverses[i] / highest);
     std::ranges::copy(colour, raster.rgba.begin() + std::ptrdiff_t(4 * (row * sampleCounts.size() + column)));
   }
@@ -223,12 +234,16 @@ constexpr int printedTrialSamples = 40;
 void addBox(Chart& chart, double x, const std::vector<double>& values) {
   const double low = study::quantile(values, 0.25), high = study::quantile(values, 0.75);
   const double least = study::quantile(values, 0), most = study::quantile(values, 1), w = 0.3;
-  const std::string colour = chart.series.size() < 5 ? "#0072b2" : "#009e73";
+  const std::string colour = chart.series.empty() ? "#0072b2" : "#009e73";
   chart.series.push_back(
       {.points = {{x - w, low}, {x + w, low}, {x + w, high}, {x - w, high}, {x - w, low}}, .colour = colour});
   chart.series.push_back({.points = {{x, high}, {x, most}}, .colour = colour, .isDashed = true});
   chart.series.push_back({.points = {{x, low}, {x, least}}, .colour = colour, .isDashed = true});
-  chart.series.push_back({.points = {{x, mean(values)}}, .colour = colour, .isLine = false, .hasMarkers = true});
+  chart.series.push_back({.points = {{x, mean(values)}},
+                          .colour = colour,
+                          .isLine = false,
+                          .hasMarkers = true,
+                          .marker = plots::Marker::star});
 }
 
 MadeFigure makeErrors(const FigureRecord& record, Inputs& inputs, const TaskControl& control) {
@@ -257,8 +272,7 @@ MadeFigure makeErrors(const FigureRecord& record, Inputs& inputs, const TaskCont
         const Selected chosen = selected(basis, method, m, trial, control);
         for (const InputMaterial& test : tests) {
           const auto table = inputs.table(test, control);
-          errors.inverse[m].push_back(
-              inverseError(basis, *table, *reconstructed(basis, *table, chosen.plan, control)));
+          errors.inverse[m].push_back(inverseError(basis, *table, *reconstructed(basis, *table, chosen.plan, control)));
         }
       }
     };
@@ -279,8 +293,11 @@ MadeFigure makeErrors(const FigureRecord& record, Inputs& inputs, const TaskCont
   full.name = "FROST, t = " + std::to_string(trainingCount);
   fewer.name = "FROST, t = " + std::to_string(fewerCount);
   search.name = "Nielsen et al. 2015, t = " + std::to_string(trainingCount);
-  Chart curves{.title = "(a) mean over test materials", .xTitle = "number of samples", .yTitle = "inverse MSE",
-               .series = {}, .xRange = std::array{0., counts.back() + 5.}};
+  Chart curves{.title = "(a) mean over test materials",
+               .xTitle = "number of samples",
+               .yTitle = "inverse MSE",
+               .series = {},
+               .xRange = std::array{0., counts.back() + 5.}};
   MadeFigure made;
   made.table.columns = {{"method", {}}, {"samples", {}}, {"mean inverse MSE", {}}};
   for (const Errors* errors : {&full, &fewer, &search}) {
@@ -293,11 +310,15 @@ MadeFigure makeErrors(const FigureRecord& record, Inputs& inputs, const TaskCont
     }
     curves.series.push_back(std::move(series));
     for (const int m : {5, 20, 40})
-      made.values.push_back({errors->name + ", " + std::to_string(m) + " samples, mean inverse MSE", "",
-                             mean(errors->inverse.at(m))});
+      made.values.push_back(
+          {errors->name + ", " + std::to_string(m) + " samples, mean inverse MSE", "", mean(errors->inverse.at(m))});
   }
-  Chart boxes{.title = "(b) 40 samples: FROST, trials 1 to " + std::to_string(trials) + " of Nielsen et al., all trials",
-              .xTitle = "method", .yTitle = "inverse MSE", .series = {}, .xRange = std::array{0., trials + 3.}};
+  Chart boxes{
+      .title = "(b) 40 samples: FROST, trials 1 to " + std::to_string(trials) + " of Nielsen et al., all trials",
+      .xTitle = "method",
+      .yTitle = "inverse MSE",
+      .series = {},
+      .xRange = std::array{0., trials + 3.}};
   addBox(boxes, 1, full.inverse.at(printedTrialSamples));
   for (int trial = 0; trial < trials; ++trial)
     addBox(boxes, trial + 2, searches[std::size_t(trial)].inverse.at(printedTrialSamples));
@@ -319,9 +340,8 @@ MadeFigure compareReconstructions(const FigureRecord& record, Inputs& inputs, in
   for (const Subject& subject : record.subjects) {
     const InputMaterial material = inputs.find(subject);
     const auto table = inputs.table(material, control);
-    const std::array compared{
-        ComparedBrdf{"Nielsen et al. 2015", reconstructed(*basis, *table, search.plan, control)},
-        ComparedBrdf{"FROST", reconstructed(*basis, *table, pursuit.plan, control)}};
+    const std::array compared{ComparedBrdf{"Nielsen et al. 2015", reconstructed(*basis, *table, search.plan, control)},
+                              ComparedBrdf{"FROST", reconstructed(*basis, *table, pursuit.plan, control)}};
     const auto ratios = rows.add(shownName(material), *table, compared, control);
     for (std::size_t i = 0; i < compared.size(); ++i)
       made.values.push_back({std::string(subject.name) + ", " + compared[i].label + ", rendered SNR", "dB", ratios[i]});
@@ -365,8 +385,7 @@ MadeFigure makeTimes(const FigureRecord& record, Inputs& inputs, const TaskContr
 }
 
 constexpr std::string_view trainingAndScene =
-    "Other training and test sets than in the print, another scene, and materials of the training set that resemble those "
-    "shown may differ.";
+    "The training set differs from that of the print (MERL and EPFL, 131 materials), and so does the scene.";
 
 }  // namespace
 
@@ -391,11 +410,12 @@ std::vector<FigureRecord> acquisitionFigures() {
                    {"Nielsen et al. 2015, m = 40", 2772.74, true},
                    {"Nielsen et al. 2015, m = 50", 4357.08, true},
                    {"Nielsen et al. 2015, m = 60", 6366.88, true}},
-       .differences = "The print's times are those of MATLAB on another machine. Gonio's search for the smallest condition "
-                      "number has five starts and updates factorisations instead of computing each again.",
+       .differences =
+           "The print's times are those of MATLAB on another machine. Gonio's search for the smallest condition "
+           "number has five starts and updates factorisations instead of computing each again.",
        .isLearned = true,
        .fullMinutes = 3,
-       .quickMinutes = 0.5,
+       .quickMinutes = 0.6,
        .make = makeTimes},
       {.id = "5.5",
        .title = "The steps of FROST",
@@ -403,19 +423,20 @@ std::vector<FigureRecord> acquisitionFigures() {
        .source = "figure 5.5: a diagram, no numbers printed",
        .subjects = pipelineSubjects(),
        .isLearned = true,
-       .fullMinutes = 2,
-       .quickMinutes = 0.3,
+       .fullMinutes = 0.2,
+       .quickMinutes = 0.1,
        .make = makePipeline},
       {.id = "5.6",
        .title = "Inverse MSE over the numbers of samples and components",
-       .shows = "Mean over test materials, in the mapped values of eq. 5.7; directions by FROST over as many components as "
-                "the largest number of samples, ridge 40.",
+       .shows =
+           "Mean over test materials, in the mapped values of eq. 5.7; directions by FROST over as many components as "
+           "the largest number of samples, ridge 40.",
        .source = "figure 5.6: colours without numbers; the inverse MSE rises with both",
        .differences = "The print chooses the directions anew for each number of components.",
        .subjects = threeSubjects(),
        .isLearned = true,
        .fullMinutes = 60,
-       .quickMinutes = 0.5,
+       .quickMinutes = 0.4,
        .make = makeSamplesAndComponents},
       {.id = "5.7",
        .title = "Inverse MSE over the number of samples",
@@ -426,7 +447,7 @@ std::vector<FigureRecord> acquisitionFigures() {
        .wholeSets = {MaterialSet::merl, MaterialSet::rgl},
        .isLearned = true,
        .fullMinutes = 600,
-       .quickMinutes = 1,
+       .quickMinutes = 1.3,
        .make = makeErrors},
       {.id = "5.8",
        .title = "A material from ten samples",
@@ -435,8 +456,8 @@ std::vector<FigureRecord> acquisitionFigures() {
        .differences = trainingAndScene,
        .subjects = ringSubjects(),
        .isLearned = true,
-       .fullMinutes = 2,
-       .quickMinutes = 0.3,
+       .fullMinutes = 0.3,
+       .quickMinutes = 0.1,
        .make = makeRings},
       {.id = "5.9",
        .title = "Three materials from 20 samples",
@@ -452,8 +473,8 @@ std::vector<FigureRecord> acquisitionFigures() {
        .differences = trainingAndScene,
        .subjects = threeSubjects(),
        .isLearned = true,
-       .fullMinutes = 2,
-       .quickMinutes = 0.3,
+       .fullMinutes = 0.5,
+       .quickMinutes = 0.2,
        .make = makeThreeReconstructions},
   };
 }

@@ -9,7 +9,6 @@
 
 #include "core/figures/draw_figure.h"
 #include "core/figures/figure_formats.h"
-#include "core/plots/svg_drawing.h"
 #include "core/plots/value_scale.h"
 #include "core/rendering/error_maps.h"
 
@@ -24,7 +23,8 @@ constexpr double pageLine = 3.1, pageMargin = 2;       // mm
 constexpr const char* pageFont = "Helvetica";
 
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
-constexpr std::array seriesColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933"};
+constexpr std::array seriesColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                   "#e69f00", "#56b4e9", "#000000", "#999933"};
 constexpr std::array seriesMarkers{plots::Marker::square,       plots::Marker::triangle, plots::Marker::diamond,
                                    plots::Marker::triangleDown, plots::Marker::cross,    plots::Marker::pentagon,
                                    plots::Marker::star,         plots::Marker::saltire};
@@ -116,7 +116,8 @@ class ChartPainter {
   }
 
   void paintMarker(std::size_t series, const glm::dvec2& at) {
-    std::vector<glm::dvec2> outline = plots::markerOutline(seriesMarkers[series % seriesMarkers.size()], 0.75);
+    const plots::Marker own = chart_.series[series].marker.value_or(seriesMarkers[series % seriesMarkers.size()]);
+    std::vector<glm::dvec2> outline = plots::markerOutline(own, 0.75);
     for (glm::dvec2& corner : outline) corner += at;
     outline.push_back(outline.front());
     page_.items.emplace_back(LineItem{std::move(outline), colourOf(series), 0.25});
@@ -136,7 +137,8 @@ class ChartPainter {
         page_.items.emplace_back(LineItem{std::move(part), colourOf(index), chart_.isDisk ? 0.15 : 0.3, dash});
     if (series.hasMarkers)
       for (const glm::dvec2& at : places)
-        if (at.x >= area_.x - 0.1 && at.x <= area_.right() + 0.1 && at.y >= area_.y - 0.1 && at.y <= area_.bottom() + 0.1)
+        if (at.x >= area_.x - 0.1 && at.x <= area_.right() + 0.1 && at.y >= area_.y - 0.1 &&
+            at.y <= area_.bottom() + 0.1)
           paintMarker(index, at);
   }
 
@@ -209,7 +211,7 @@ FigureDrawing drawPictures(const std::string& title, std::span<const std::string
                            std::span<const PictureRow> rows, const std::string& note) {
   FigureDrawing page = newPage(title);
   const TextWidth width = cairoTextWidth(pageFont);
-  constexpr double labelWidth = 4.5, gap = 1.2, widest = 55;
+  constexpr double labelWidth = 7.5, gap = 1.2, widest = 55;
   const double available = page.width - 2 * pageMargin - labelWidth;
   const double side = std::min(widest, available / double(columns.size()) - gap);
   const auto left = [&](std::size_t column) { return pageMargin + labelWidth + (side + gap) * double(column); };
@@ -227,17 +229,25 @@ FigureDrawing drawPictures(const std::string& title, std::span<const std::string
     double height = 0;  // of the pictures
     for (const PictureCell& cell : row.cells)
       if (cell.raster.width > 0) height = std::max(height, side * cell.raster.height / cell.raster.width);
-    page.items.emplace_back(TextItem{
-        {pageMargin + pageLine, y + height / 2}, row.label, pageFontSize, TextAnchor::middle, true, true});
+    const auto labelLines = brokenLines(row.label, std::max(height, 8.), pageFontSize, width, true);
+    for (std::size_t i = 0; i < labelLines.size(); ++i)
+      page.items.emplace_back(TextItem{{pageMargin + pageLine * double(i + 1), y + height / 2},
+                                       labelLines[i],
+                                       pageFontSize,
+                                       TextAnchor::middle,
+                                       true,
+                                       true});
     std::size_t textLines = 0;
     for (std::size_t c = 0; c < row.cells.size(); ++c) {
       const PictureCell& cell = row.cells[c];
-      if (cell.raster.width > 0) page.items.emplace_back(PictureItem{{left(c), y, side, side * cell.raster.height / cell.raster.width}, cell.raster});
+      if (cell.raster.width > 0)
+        page.items.emplace_back(
+            PictureItem{{left(c), y, side, side * cell.raster.height / cell.raster.width}, cell.raster});
       std::size_t shown = 0;
       for (const std::string& line : cell.lines)
         for (const std::string& part : brokenLines(line, side, pageFontSize, width))
-          page.items.emplace_back(TextItem{{left(c) + side / 2, y + height + pageLine * double(++shown)},
-                                           part, pageFontSize, TextAnchor::middle});
+          page.items.emplace_back(TextItem{
+              {left(c) + side / 2, y + height + pageLine * double(++shown)}, part, pageFontSize, TextAnchor::middle});
       textLines = std::max(textLines, shown);
     }
     y += height + pageLine * double(textLines) + 2.5;

@@ -11,6 +11,7 @@
 
 #include "core/figures/figure_layout.h"
 #include "core/math/image.h"
+#include "core/plots/svg_drawing.h"
 
 /// Drawings of reproduced figures: charts of lines, grids of pictures, tables of texts. Pages are two columns wide
 /// (figures::twoColumnsWidth); the height follows from the content.
@@ -23,6 +24,7 @@ struct ChartSeries {
   bool isLine = true;
   bool hasMarkers = false;
   bool isDashed = false;
+  std::optional<plots::Marker> marker = {};  ///< empty: the marker of its number among the series
 };
 
 struct Chart {
@@ -30,7 +32,7 @@ struct Chart {
   std::vector<ChartSeries> series;
   bool logX = false, logY = false;
   std::optional<std::array<double, 2>> xRange = {}, yRange = {};  ///< empty: from the points
-  bool isDisk = false;  ///< equal scales, no axes; ranges must be given
+  bool isDisk = false;                                            ///< equal scales, no axes; ranges must be given
   /// A picture instead of series, over the whole ranges; its first row is at the top.
   std::optional<figures::Raster> raster = {};
 };

@@ -46,9 +46,8 @@ class PublishedCodes {
   std::string remark(std::span<const InputMaterial> materials) const {
     std::size_t learned = 0;
     for (const InputMaterial& material : materials)
-      learned += std::ranges::any_of(ensemble().learnedFrom, [&](const std::string& name) {
-        return materialName(name) == material.name;
-      });
+      learned += std::ranges::any_of(ensemble().learnedFrom,
+                                     [&](const std::string& name) { return materialName(name) == material.name; });
     return "The dictionaries were learned from " + std::to_string(ensemble().learnedFrom.size()) +
            " bundled materials, among them these or copies of " + std::to_string(learned) + " of the " +
            std::to_string(materials.size()) + " materials here.";
@@ -88,7 +87,8 @@ MadeFigure makeTransforms(const FigureRecord& record, Inputs& inputs, const Task
 
 // Figures 4.6 and 4.7.
 
-std::shared_ptr<const Brdf> nonparametric(const std::shared_ptr<const TabulatedBrdf>& table, const TaskControl& control) {
+std::shared_ptr<const Brdf> nonparametric(const std::shared_ptr<const TabulatedBrdf>& table,
+                                          const TaskControl& control) {
   const auto factors = study::representationById("nonparametric");
   study::RepresentationBuilder builder({table, table}, {}, std::array{factors});
   return builder.build(factors, {control.stop, {}}).brdf;
@@ -117,9 +117,8 @@ struct MeanRatios {
 MadeFigure makeCoefficients(const FigureRecord& record, Inputs& inputs, const TaskControl& control) {
   const PublishedCodes codes;
   const std::vector<InputMaterial> materials = materialsOf(record, inputs);
-  const std::vector<std::size_t> counts = inputs.quick()
-                                              ? std::vector<std::size_t>{32, 128, 262, 1024}
-                                              : std::vector<std::size_t>{32, 64, 128, 262, 512, 1024, 2048};
+  const std::vector<std::size_t> counts = inputs.quick() ? std::vector<std::size_t>{32, 128, 262, 1024}
+                                                         : std::vector<std::size_t>{32, 64, 128, 262, 512, 1024, 2048};
   std::array<MeanRatios, 3> sets;
   MadeFigure made;
   io::CsvTable& table = made.table;
@@ -158,7 +157,8 @@ MadeFigure makeCoefficients(const FigureRecord& record, Inputs& inputs, const Ta
   for (std::size_t set = 0; set < sets.size(); ++set) {
     if (sets[set].count == 0) continue;
     const std::string name(materialSetNames[set]);
-    ChartSeries series{.name = name + ", sparse codes", .points = {}, .hasMarkers = true};
+    constexpr std::array colours{"#0072b2", "#d55e00", "#009e73"};
+    ChartSeries series{.name = name + ", sparse codes", .points = {}, .colour = colours[set], .hasMarkers = true};
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const double mean = sets[set].sums[i] / sets[set].count;
       series.points.emplace_back(double(counts[i]), mean);
@@ -169,6 +169,7 @@ MadeFigure makeCoefficients(const FigureRecord& record, Inputs& inputs, const Ta
     made.values.push_back({name + ", Bagher et al. 2016, mean rendered SNR", "dB", factors});
     chart.series.push_back({.name = name + ", Bagher et al. 2016",
                             .points = {{chart.xRange->front(), factors}, {chart.xRange->back(), factors}},
+                            .colour = colours[set],
                             .isDashed = true});
   }
   made.drawing = drawCharts(std::string(record.title), std::array{chart}, 1);
@@ -209,11 +210,11 @@ MadeFigure makeInterpolation(const FigureRecord& record, Inputs& inputs, const T
     row.cells.push_back({shownPicture(picture)});
     control.report(double(i + 1) / (steps + 1));
   }
-  made.drawing = drawPictures(std::string(record.title), columns, std::array{row},
-                              "From " + shownName(ends[0]) + " to " + shownName(ends[1]) +
-                                  ", codes in log-plus over dictionaries " +
-                                  std::to_string(endCodes[0].channels[1].dictionary) + " and " +
-                                  std::to_string(endCodes[1].channels[1].dictionary) + " (green, from 0).");
+  made.drawing =
+      drawPictures(std::string(record.title), columns, std::array{row},
+                   "From " + shownName(ends[0]) + " to " + shownName(ends[1]) +
+                       ", codes in log-plus over dictionaries " + std::to_string(endCodes[0].channels[1].dictionary) +
+                       " and " + std::to_string(endCodes[1].channels[1].dictionary) + " (green, from 0).");
   made.table.columns = {{"alpha", alphas}, {"mean luminance of the picture", means}};
   for (std::size_t e = 0; e < 2; ++e) {
     const rendering::RenderedComparison comparison(*tables[e], inputs.picture(), {control.stop, {}});
@@ -227,7 +228,8 @@ MadeFigure makeInterpolation(const FigureRecord& record, Inputs& inputs, const T
 
 constexpr std::string_view bundledDictionaries =
     "The dictionaries are the bundled ones of the published method (learned in one pass of 5 iterations from 137 "
-    "near-measured copies and measured RGL files), not those of the print, and its test materials are not excluded from "
+    "near-measured copies and measured RGL files), not those of the print, and its test materials are not excluded "
+    "from "
     "them. The print renders another scene.";
 
 }  // namespace
@@ -237,13 +239,14 @@ std::vector<FigureRecord> dictionaryFigures() {
   return {
       {.id = "2.8",
        .title = "Reconstructions from two logarithmic transforms",
-       .shows = "A diffuse and a glossy material as sparse codes of 262 coefficients per channel in log-plus (eq. 2.29) "
-                "and cosine-weighted-log (eq. 2.30).",
+       .shows =
+           "A diffuse and a glossy material as sparse codes of 262 coefficients per channel in log-plus (eq. 2.29) "
+           "and cosine-weighted-log (eq. 2.30).",
        .source = "figure 2.8: no numbers printed; log-plus is better on the glossy, the other on the diffuse material",
        .differences = bundledDictionaries,
        .subjects = {{MaterialSet::rgl, "acrylic-felt-green"}, redPaint},
-       .fullMinutes = 1,
-       .quickMinutes = 0.3,
+       .fullMinutes = 0.2,
+       .quickMinutes = 0.1,
        .make = makeTransforms},
       {.id = "4.5",
        .title = "Transforms of a diffuse and a glossy material",
@@ -254,20 +257,22 @@ std::vector<FigureRecord> dictionaryFigures() {
                    {"glossy-red-paper, log-plus, rendered SNR", 45.16},
                    {"glossy-red-paper, cosine-weighted-log, rendered SNR", 41.41}},
        .differences = bundledDictionaries,
-       .subjects = {{MaterialSet::dtu, "cardboard"}, {MaterialSet::dtu, "glossy-red-paper", {"bindercover", "bluebook"}}},
-       .fullMinutes = 1,
-       .quickMinutes = 0.3,
+       .subjects = {{MaterialSet::dtu, "cardboard"},
+                    {MaterialSet::dtu, "glossy-red-paper", {"bindercover", "bluebook"}}},
+       .fullMinutes = 0.3,
+       .quickMinutes = 0.15,
        .make = makeTransforms},
       {.id = "4.6",
        .title = "A sparse code and non-parametric factors",
-       .shows = "red-metallic-paint as a code of 262 coefficients per channel, the transform selected by the gamma error, "
-                "and as factors fitted by the method of Bagher et al. 2016.",
+       .shows =
+           "red-metallic-paint as a code of 262 coefficients per channel, the transform selected by the gamma error, "
+           "and as factors fitted by the method of Bagher et al. 2016.",
        .source = "figure 4.6",
        .printed = {{"Sparse code, 262 coefficients, rendered SNR", 52.70}, {"Bagher et al. 2016, rendered SNR", 34.06}},
        .differences = bundledDictionaries,
        .subjects = {redPaint},
-       .fullMinutes = 0.5,
-       .quickMinutes = 0.3,
+       .fullMinutes = 0.2,
+       .quickMinutes = 0.1,
        .make = makeCodeAndFactors},
       {.id = "4.7",
        .title = "Rendered SNR over the number of coefficients",
@@ -275,7 +280,7 @@ std::vector<FigureRecord> dictionaryFigures() {
        .source = "figure 4.7: no numbers printed; the SNR rises with the number of coefficients in all three sets",
        .differences = bundledDictionaries,
        .wholeSets = {MaterialSet::merl, MaterialSet::rgl, MaterialSet::dtu},
-       .fullMinutes = 60,
+       .fullMinutes = 45,
        .quickMinutes = 1,
        .make = makeCoefficients},
       {.id = "4.9",

@@ -102,9 +102,10 @@ MadeFigure makeModels(const FigureRecord& record, Inputs& inputs, const TaskCont
     study::Representation representation;
   };
   const auto factors = study::representationById("factors-3d-published", 10);
-  std::vector<Method> methods{{"Lawrence et al. 2004", {}}, {"Bilgili et al. 2011", {}},
-                              {"PDV factors, 10 terms", factors}, {"PDV factors, 10 terms, weighted",
-                               study::representationById("factors-3d", 10)}};
+  std::vector<Method> methods{{"Lawrence et al. 2004", {}},
+                              {"Bilgili et al. 2011", {}},
+                              {"PDV factors, 10 terms", factors},
+                              {"PDV factors, 10 terms, weighted", study::representationById("factors-3d", 10)}};
   const auto materials = subjectsOf(record, inputs);
   std::vector<std::shared_ptr<const Brdf>> references;
   std::vector<SamplingDensity> densities;
@@ -143,8 +144,9 @@ MadeFigure makeModels(const FigureRecord& record, Inputs& inputs, const TaskCont
     pictures.push_back(pair[0]);
     names.emplace_back(methods[i].name);
     columns.push_back(names.back());
-    shown.cells.push_back({shownPicture(pair[0]),
-                           {"PSNR " + shortText(ratios.back()) + " dB", shortText(double(bytes[i]) / 1000, 3) + " kB"}});
+    shown.cells.push_back(
+        {shownPicture(pair[0]),
+         {"PSNR " + shortText(ratios.back()) + " dB", shortText(double(bytes[i]) / 1000, 3) + " kB"}});
     made.values.push_back({names.back() + ", PSNR", "dB", ratios.back()});
     made.values.push_back({names.back() + ", PSNR of linear pictures, without their noise", "dB", linear.back()});
     control.report(0.7 + 0.3 * double(i + 1) / double(methods.size()));
@@ -154,7 +156,10 @@ MadeFigure makeModels(const FigureRecord& record, Inputs& inputs, const TaskCont
   errors.cells.front().lines = {"luminance from 0 (dark) to " + shortText(range, 3)};
   made.drawing = drawPictures(std::string(record.title), columns, std::array{shown, errors},
                               "Three spheres in the studio environment: " + listedNames(materials) + ".");
-  made.table.columns = {{"method", {}, names}, {"PSNR [dB]", ratios}, {"PSNR of linear pictures [dB]", linear}, {"bytes of a material", {}}};
+  made.table.columns = {{"method", {}, names},
+                        {"PSNR [dB]", ratios},
+                        {"PSNR of linear pictures [dB]", linear},
+                        {"bytes of a material", {}}};
   for (const std::size_t size : bytes) made.table.columns.back().values.push_back(double(size));
   return made;
 }
@@ -237,11 +242,10 @@ MadeFigure makeEditing(const FigureRecord& record, Inputs& inputs, const TaskCon
   const materials::Material base{subject.name, {}, table, table, nullptr, nullptr};
   const std::array edits{editing::Edit{change, "", 1}};
   const materials::Material edited = materials::withEdits(base, edits, {control.stop, {}});
-  const std::array<ComparedBrdf, 4> shown{
-      {{"Measured", table},
-       {"Fitted (GGX)", model.instantiate(fit.parameters)},
-       {"Edited model", model.instantiate(change.target())},
-       {"Edited measurement", edited.brdf}}};
+  const std::array<ComparedBrdf, 4> shown{{{"Measured", table},
+                                           {"Fitted (GGX)", model.instantiate(fit.parameters)},
+                                           {"Edited model", model.instantiate(change.target())},
+                                           {"Edited measurement", edited.brdf}}};
   const rendering::RenderOptions options = inputs.picture();
   const rendering::Scene scene = rendering::comparisonScene();
   rendering::RenderOptions own = options;
@@ -283,7 +287,7 @@ ComparedBrdf measured(const char* label, const Brdf& material, FactorAxes axes, 
 
 /// The best product of two curves of all cells, which no measurement of two curves exceeds by much.
 ComparedBrdf rankOneFit(const TabulatedBrdf& table, const TaskControl& control) {
-  const auto options = factorization::publishedPdvOptions(factorization::PdvForm::twoFactors, 1);
+  const factorization::PdvOptions options{.form = factorization::PdvForm::twoFactors, .terms = 1};
   return {"PDV, rank-one fit",
           factorization::makePdvBrdf(factorization::factorizePdv(table, options, {control.stop, {}}).factors)};
 }
@@ -325,10 +329,14 @@ MadeFigure makeFactorMeasurement(const FigureRecord& record, Inputs& inputs, con
 MadeFigure makeFactorCurves(const FigureRecord& record, Inputs& inputs, const TaskControl& control) {
   const InputMaterial subject = inputs.find(record.subjects[0]);
   const auto measurement = acquisition::measureFactors(*inputs.table(subject, control));
-  Chart along{.title = "(a) F1: along the mirror direction", .xTitle = "theta_R [degrees]", .yTitle = "ln(1 + rho)",
+  Chart along{.title = "(a) F1: along the mirror direction",
+              .xTitle = "theta_R [degrees]",
+              .yTitle = "ln(1 + rho)",
               .series = {}};
   Chart across{.title = "(b) F2: across, at theta_R = " + shortText(degrees(measurement.fixedAngle)) + " degrees",
-               .xTitle = "|Dp|", .yTitle = "ln(1 + rho)", .series = {}};
+               .xTitle = "|Dp|",
+               .yTitle = "ln(1 + rho)",
+               .series = {}};
   constexpr std::array names{"red", "green", "blue"};
   constexpr std::array colours{"#d55e00", "#009e73", "#0072b2"};
   MadeFigure made;
@@ -371,48 +379,53 @@ std::vector<FigureRecord> factorFigures() {
        .shows = "gold-metallic-paint3 predicted from the two curves of a factor measurement (eq. 5.6).",
        .source = "figure 2.6: no numbers printed",
        .subjects = {{MaterialSet::merl, "gold-metallic-paint3", {"gold-metallic-paint2", "gold-metallic-paint"}}},
-       .fullMinutes = 0.2,
-       .quickMinutes = 0.1,
+       .fullMinutes = 0.05,
+       .quickMinutes = 0.05,
        .make = makeSparseMeasurement},
       {.id = "4.3",
        .title = "Factor models at equal size",
-       .shows = "Three materials by the factors of Lawrence et al., Bilgili et al. and PDV factors of ten terms, each in "
-                "at most the bytes of the last.",
+       .shows =
+           "Three materials by the factors of Lawrence et al., Bilgili et al. and PDV factors of ten terms, each in "
+           "at most the bytes of the last.",
        .source = "figure 4.3, captions",
        .printed = {{"Lawrence et al. 2004, PSNR", 33.40},
                    {"Bilgili et al. 2011, PSNR", 35.27},
                    {"PDV factors, 10 terms, PSNR", 37.37}},
-       .differences = "PSNR of pictures in 8 bits (peak 1), which the print does not define; all pictures share their "
-                      "random numbers. The print renders the Princeton scene with PBRT; here the scene and its light are "
-                      "Gonio's.",
+       .differences =
+           "PSNR of pictures in 8 bits (peak 1), which the print does not define; all pictures share their "
+           "random numbers. The print renders the Princeton scene with PBRT; here the scene and its light are "
+           "Gonio's.",
        .subjects = three,
-       .fullMinutes = 4,
+       .fullMinutes = 2,
        .quickMinutes = 0.5,
        .make = makeModels},
       {.id = "4.4",
        .title = "Importance sampling: error over samples",
-       .shows = "Three materials, directions sampled from the densities of each method and lights not sampled, against a "
-                "picture of many samples.",
+       .shows =
+           "Three materials, directions sampled from the densities of each method and lights not sampled, against a "
+           "picture of many samples.",
        .source = "figure 4.4, captions: log MSE 4.0662 (Lawrence), 3.6134 (Bilgili), 3.9474 (PDV) at 256 samples; "
                  "differences of logarithms depend on neither exposure nor scale of the pixels",
        .printed = {{"Lawrence et al. 2004, log MSE minus that of PDV as published, 256 samples", 4.0662 - 3.9474, true},
                    {"Bilgili et al. 2011, log MSE minus that of PDV as published, 256 samples", 3.6134 - 3.9474, true}},
-       .differences = "The print states neither the base of its logarithm (here e) nor the scene's lights. The published "
-                      "density loses samples off the disk, so its error does not fall with the number of samples.",
+       .differences =
+           "The print states neither the base of its logarithm (here e) nor the scene's lights. The published "
+           "density loses the samples off the disk.",
        .subjects = three,
        .fullMinutes = 60,
-       .quickMinutes = 2,
+       .quickMinutes = 1.5,
        .make = makeSampling},
       {.id = "4.8",
        .title = "Differential editing",
-       .shows = "A measurement, its GGX fit, the fit with twice the roughness, and the measurement plus the change of the "
-                "model (eq. 4.40 and 4.41).",
+       .shows =
+           "A measurement, its GGX fit, the fit with twice the roughness, and the measurement plus the change of the "
+           "model (eq. 4.40 and 4.41).",
        .source = "figure 4.8: a diagram, no numbers printed",
        .differences = "Eq. 4.40 prints the absolute value of the change; here it has its sign, otherwise an edit could "
                       "only brighten.",
        .subjects = {{MaterialSet::merl, "gold-metallic-paint", {"gold-metallic-paint2", "gold-metallic-paint3"}}},
-       .fullMinutes = 0.3,
-       .quickMinutes = 0.2,
+       .fullMinutes = 0.2,
+       .quickMinutes = 0.1,
        .make = makeEditing},
       {.id = "5.3",
        .title = "Factor measurement in three coordinates",
@@ -423,10 +436,11 @@ std::vector<FigureRecord> factorFigures() {
        .printed = {{"PDV, rendered SNR", 31.84},
                    {"Half-difference, rendered SNR", 22.06},
                    {"Half-out, rendered SNR", 25.59}},
-       .differences = "The print does not state the fixed angle (here 60 degrees) nor the number of readings (here 90 and "
-                      "90 to 89 degrees, arms at least 2 degrees apart), and renders another scene.",
+       .differences =
+           "The print does not state the fixed angle (here 60 degrees) nor the number of readings (here 90 and "
+           "90 to 89 degrees, arms at least 2 degrees apart), and renders another scene.",
        .subjects = {redPaint},
-       .fullMinutes = 0.3,
+       .fullMinutes = 0.2,
        .quickMinutes = 0.1,
        .make = makeFactorMeasurement},
       {.id = "5.4",
@@ -434,8 +448,8 @@ std::vector<FigureRecord> factorFigures() {
        .shows = "chrome: ln(1 + rho) in the mirror direction, and across the highlight at the fixed angle.",
        .source = "figure 5.4: no numbers printed; F1 is high and steep near grazing angles",
        .subjects = {{MaterialSet::merl, "chrome", {"chrome-steel"}}},
-       .fullMinutes = 0.1,
-       .quickMinutes = 0.1,
+       .fullMinutes = 0.02,
+       .quickMinutes = 0.02,
        .make = makeFactorCurves},
   };
 }

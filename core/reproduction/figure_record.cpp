@@ -16,9 +16,8 @@ std::span<const FigureRecord> allFigures() {
     for (const auto chapter : {statisticsFigures, factorFigures, dictionaryFigures, acquisitionFigures})
       std::ranges::move(chapter(), std::back_inserter(all));
     // Tables of a chapter before its figures.
-    std::ranges::stable_sort(all, {}, [](const FigureRecord& one) {
-      return std::tuple(one.id.front(), !one.isTable, one.id);
-    });
+    std::ranges::stable_sort(all, {},
+                             [](const FigureRecord& one) { return std::tuple(one.id.front(), !one.isTable, one.id); });
     return all;
   }();
   return figures;

@@ -95,8 +95,7 @@ InputMaterial Inputs::find(const Subject& subject) const {
     }
   std::string expected(subject.name);
   for (const std::string_view substitute : subject.substitutes) expected += " or " + std::string(substitute);
-  const std::string place =
-      folder(subject.set).empty() ? "the bundled materials" : folder(subject.set);
+  const std::string place = folder(subject.set).empty() ? "the bundled materials" : folder(subject.set);
   throw Error(place + ": found no material " + expected + " of the set " +
               std::string(materialSetNames[std::size_t(subject.set)]));
 }
@@ -121,7 +120,7 @@ const std::string& Inputs::hash(const InputMaterial& material) {
   std::string& hash = hashes_[material.path];
   if (hash.empty())
     hash = material.path.starts_with(materials::libraryScheme) ? materials::librarySha256(material.path)
-                                                              : io::sha256Hex(io::FileSource(material.path));
+                                                               : io::sha256Hex(io::FileSource(material.path));
   return hash;
 }
 

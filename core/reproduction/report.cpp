@@ -35,8 +35,12 @@ OrderedJson resultJson(const FigureResult& result, const std::string& key) {
                       {"value", std::isfinite(value.value) ? OrderedJson(value.value) : OrderedJson(nullptr)}});
   for (const UsedMaterial& material : result.materials)
     materials.push_back({{"name", material.name}, {"file", material.file}, {"sha256", material.sha256}});
-  return {{"figure", result.record->id},    {"key", key},           {"values", values}, {"remarks", result.remarks},
-          {"seconds", result.seconds}, {"materials", materials}};
+  return {{"figure", result.record->id},
+          {"key", key},
+          {"values", values},
+          {"remarks", result.remarks},
+          {"seconds", result.seconds},
+          {"materials", materials}};
 }
 
 class Html {
@@ -51,8 +55,7 @@ class Html {
   }
   void row(std::initializer_list<std::string> cells, const char* cell = "td") {
     out_ += "<tr>";
-    for (const std::string& text : cells)
-      out_ += std::string("<") + cell + ">" + xmlText(text) + "</" + cell + ">";
+    for (const std::string& text : cells) out_ += std::string("<") + cell + ">" + xmlText(text) + "</" + cell + ">";
     out_ += "</tr>\n";
   }
   const std::string& str() const { return out_; }
@@ -62,7 +65,8 @@ class Html {
 };
 
 constexpr const char* pageHead =
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Reproduction of Tongbuasirilai 2023</title>\n"
+    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Reproduction of Tongbuasirilai "
+    "2023</title>\n"
     "<style>body{font:15px/1.45 sans-serif;max-width:68em;margin:2em auto;padding:0 1em;color:#222}"
     "table{border-collapse:collapse;margin:1em 0}td,th{border:1px solid #bbb;padding:.25em .6em;text-align:left}"
     "th{background:#f0f0f0}img{width:100%;border:1px solid #ddd}.note{background:#fff4d6;padding:.6em 1em}"
@@ -175,8 +179,8 @@ std::optional<FigureResult> keptFigure(const std::filesystem::path& folder, cons
     if (json.at("key") != key) return std::nullopt;
     FigureResult result{.record = &record, .seconds = json.at("seconds"), .isKept = true};
     for (const auto& value : json.at("values"))
-      result.values.push_back({value.at("name"), value.at("unit"),
-                               value.at("value").is_null() ? std::nan("") : double(value.at("value"))});
+      result.values.push_back(
+          {value.at("name"), value.at("unit"), value.at("value").is_null() ? std::nan("") : double(value.at("value"))});
     for (const auto& remark : json.at("remarks")) result.remarks.push_back(remark);
     for (const auto& material : json.at("materials"))
       result.materials.push_back({material.at("name"), material.at("file"), material.at("sha256")});
@@ -202,14 +206,17 @@ std::string comparisonText(const PrintedValue& printed, const ReproducedValue& v
 std::string reportHtml(const Inputs& inputs, std::span<const FigureResult> results) {
   Html html;
   html.raw(pageHead).element("h1", "Reproduction of Tongbuasirilai 2023");
-  html.element("p", "Tongbuasirilai, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, 2023: its "
-                    "figures and tables made by Gonio from the materials below, beside the printed values.");
+  html.element("p",
+               "Tongbuasirilai, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, 2023: its "
+               "figures and tables made by Gonio from the materials below, beside the printed values.");
   if (inputs.folder(MaterialSet::merl).empty())
-    html.raw("<p class=\"note\"><b>No MERL files were given: near-measured copies stand for them.</b> They are neural "
-             "fits, smoother than the measurements. Give the folder of the files with --merl.</p>\n");
+    html.raw(
+        "<p class=\"note\"><b>No MERL files were given: near-measured copies stand for them.</b> They are neural "
+        "fits, smoother than the measurements. Give the folder of the files with --merl.</p>\n");
   if (inputs.quick())
-    html.raw("<p class=\"note\"><b>Quick run:</b> four materials where a figure uses whole sets, small pictures, few "
-             "samples.</p>\n");
+    html.raw(
+        "<p class=\"note\"><b>Quick run:</b> four materials where a figure uses whole sets, small pictures, few "
+        "samples.</p>\n");
   html.raw("<ul>\n");
   for (const std::string& line : inputs.origins()) html.element("li", line);
   for (const std::string& line : study::machineLines(study::machineFacts())) html.element("li", line);

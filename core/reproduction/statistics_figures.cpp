@@ -47,7 +47,8 @@ double logErrorAbout(const plots::Curve& measured, const plots::Curve& model, do
   std::vector<double> errors;
   for (std::size_t i = 0; i < measured.angles.size(); ++i) {
     const double distance = std::abs(measured.angles[i] - mirror);
-    const double m = measured.points.at(i, plots::Channel::luminance), f = model.points.at(i, plots::Channel::luminance);
+    const double m = measured.points.at(i, plots::Channel::luminance),
+                 f = model.points.at(i, plots::Channel::luminance);
     if (distance >= from && distance <= to && m > 0 && f > 0) errors.push_back(std::abs(std::log(f / m)));
   }
   return study::quantile(errors, 0.5);
@@ -62,8 +63,8 @@ MadeFigure makeMetricFits(const FigureRecord& record, Inputs& inputs, const Task
   const models::Model& model = models::findModel("cook-torrance");
   MadeFigure made;
   std::vector<Chart> charts;
-  std::vector<std::pair<std::string, metrics::BrdfMetric>> metricsOfFits{
-      {"logarithmic", metrics::BrdfMetric::log}, {"linear", metrics::BrdfMetric::cosineL2}};
+  std::vector<std::pair<std::string, metrics::BrdfMetric>> metricsOfFits{{"logarithmic", metrics::BrdfMetric::log},
+                                                                         {"linear", metrics::BrdfMetric::cosineL2}};
   for (const auto& [name, metric] : metricsOfFits) {
     const auto fit = fitting::fit(*table, model, {.metric = metric}, {control.stop, {}});
     control.throwIfStopped();
@@ -95,8 +96,9 @@ MadeFigure makeMetricFits(const FigureRecord& record, Inputs& inputs, const Task
         chart.series.push_back(std::move(series));
       }
       charts.push_back(std::move(chart));
-      made.values.push_back({name + " metric, " + light + ", median |ln ratio| beyond 30 degrees of the mirror direction",
-                             "", logErrorAbout(measured, fitted, section.thetaI, radians(30), pi)});
+      made.values.push_back(
+          {name + " metric, " + light + ", median |ln ratio| beyond 30 degrees of the mirror direction", "",
+           logErrorAbout(measured, fitted, section.thetaI, radians(30), pi)});
     }
     made.values.push_back({name + " metric, cosine-weighted linear error of the fit", "1/sr",
                            fit.errors[std::size_t(metrics::BrdfMetric::cosineL2)]});
@@ -283,7 +285,8 @@ MadeFigure makeEnergy(const FigureRecord& record, Inputs& inputs, const TaskCont
   const auto nodes = factorization::deviationNodes(energy, factorization::defaultDeviations);
   const double step = factorization::maxDeviation / double(energy.size());
   Chart curve{.title = "(a) normalised energy", .xTitle = "|Dp|", .yTitle = "energy", .series = {{.points = {}}}};
-  Chart steps{.title = "(b) step of |Dp|", .xTitle = "number of the node", .yTitle = "step", .series = {{.points = {}}}};
+  Chart steps{
+      .title = "(b) step of |Dp|", .xTitle = "number of the node", .yTitle = "step", .series = {{.points = {}}}};
   MadeFigure made;
   std::vector<double> deviations, energies, indices, places, widths;
   for (std::size_t j = 0; j < energy.size(); ++j) {
@@ -305,14 +308,11 @@ MadeFigure makeEnergy(const FigureRecord& record, Inputs& inputs, const TaskCont
                         {"|Dp| of the node", places},
                         {"step to the next node", widths}};
   made.drawing = drawCharts(std::string(record.title), std::vector<Chart>{curve, steps}, 2);
-  made.values = {{"materials", "", double(materials.size())},
-                 {"|Dp| below which half of the energy is", "", nodes[nodes.size() / 2]},
-                 {"smallest step", "", *std::ranges::min_element(widths, {}, [](double w) {
-                    return std::isnan(w) ? 1e9 : w;
-                  })},
-                 {"largest step", "", *std::ranges::max_element(widths, {}, [](double w) {
-                    return std::isnan(w) ? -1 : w;
-                  })}};
+  made.values = {
+      {"materials", "", double(materials.size())},
+      {"|Dp| below which half of the energy is", "", nodes[nodes.size() / 2]},
+      {"smallest step", "", *std::ranges::min_element(widths, {}, [](double w) { return std::isnan(w) ? 1e9 : w; })},
+      {"largest step", "", *std::ranges::max_element(widths, {}, [](double w) { return std::isnan(w) ? -1 : w; })}};
   return made;
 }
 
@@ -332,11 +332,12 @@ std::vector<FigureRecord> statisticsFigures() {
        .title = "Fits by a logarithmic and a linear error metric",
        .shows = "Cook-Torrance fitted to alum-bronze; BRDF values in the plane of incidence at 0 and 67 degrees.",
        .source = "figure 2.7: no numbers printed; the linear fit follows the highlights and neglects wide angles",
-       .differences = "The print shows curves of Loew et al. 2012; here the fit is Gonio's, against the cosine-weighted "
-                      "linear and the logarithmic metric.",
+       .differences =
+           "The print shows curves of Loew et al. 2012; here the fit is Gonio's, against the cosine-weighted "
+           "linear and the logarithmic metric.",
        .subjects = {{MaterialSet::merl, "alum-bronze", {"brass", "aluminium-bronze"}}},
-       .fullMinutes = 0.2,
-       .quickMinutes = 0.2,
+       .fullMinutes = 0.05,
+       .quickMinutes = 0.05,
        .make = makeMetricFits},
       {.id = "4.1",
        .title = "Coordinate curves and iso-contours on the disk",
@@ -345,17 +346,17 @@ std::vector<FigureRecord> statisticsFigures() {
        .source = "figure 4.1: no numbers printed; contours of measured materials are close to circles in PDV",
        .differences = "The print names no material for its contours.",
        .subjects = {{MaterialSet::merl, "gold-metallic-paint3", {"gold-metallic-paint", "gold-metallic-paint2"}}},
-       .fullMinutes = 0.1,
-       .quickMinutes = 0.1,
+       .fullMinutes = 0.02,
+       .quickMinutes = 0.02,
        .make = makeCoordinates},
       {.id = "4.2",
-       .title = "Normalised energy over |Dp| and the resulting steps",
+       .title = "Normalised energy over the deviation, and the steps of its nodes",
        .shows = "The energy of eq. 4.24 at 2,000 values of |Dp|, and the steps of 90 nodes at its quantiles.",
        .source = "figure 4.2: no numbers printed",
        .differences = "The energy is of ln(1 + rho), as in Paper B; eq. 4.24 prints rho.",
        .wholeSets = {MaterialSet::merl},
-       .fullMinutes = 2,
-       .quickMinutes = 0.1,
+       .fullMinutes = 0.5,
+       .quickMinutes = 0.02,
        .make = makeEnergy},
   };
 }
