@@ -203,8 +203,7 @@ void addReproduce(CLI::App& app, Tool& tool) {
                           "Folder of DTU files (.binary) (bundled near-measured copies)"};
   for (std::size_t set = 0; set < titles.size(); ++set)
     command->add_option("--" + std::string(materialSetNames[set]), options->inputs.folders[set], titles[set])
-        ->type_name("FOLDER")
-        ->check(CLI::ExistingDirectory);
+        ->type_name("FOLDER");
   command->add_option("--only", options->only, "Figures and tables to make: " + knownIds() + " (all)")
       ->type_name("ID")
       ->delimiter(',');
@@ -212,13 +211,14 @@ void addReproduce(CLI::App& app, Tool& tool) {
                     "Four materials where a figure uses whole sets, small pictures, few samples: about " +
                         std::to_string(std::lround(totalMinutes(true))) + " minutes on two cores instead of " +
                         std::to_string(std::lround(totalMinutes(false) / 60)) + " hours");
-  command->add_flag("--again", options->again,
-                    "Make all figures again, also those in the folder whose materials and version have not changed");
+  command->add_flag(
+      "--again", options->again,
+      "Also make the figures that are in the folder and were made from the same materials by this version");
   command->add_flag("--list", options->list,
                     "List the figures with their printed values and times instead of making them");
   command
       ->add_option("--out", options->out,
-                   "Folder, created if needed, for report.html and for a PDF, CSV and SVG file of each figure")
+                   "Folder for report.html and a PDF, SVG, CSV and JSON file of each figure, created if needed")
       ->group(outputGroup);
   command->callback([options, &tool] { tool.run = [options, &tool] { return reproduce(*options, tool); }; });
 }

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// Factors over PDV coordinates: models, importance sampling, differential editing, and measurements of two curves.
-// Figures 2.6, 4.3, 4.4, 4.8, 5.3, 5.4.
+// Factors over PDV coordinates, importance sampling, and differential editing: figures 4.3, 4.4, 4.8.
 #include <algorithm>
 #include <cmath>
 
-#include "core/acquisition/factor_prediction.h"
-#include "core/documents/open_material.h"
 #include "core/editing/differential_edit.h"
 #include "core/fitting/fit.h"
 #include "core/materials/edited_material.h"
@@ -18,7 +15,8 @@
 #include "core/rendering/path_tracer.h"
 #include "core/rendering/sampling_method.h"
 #include "core/rendering/scene_file.h"
-#include "core/reproduction/picture_rows.h"
+#include "core/reproduction/charts.h"
+#include "core/reproduction/figure_record.h"
 #include "core/sampling/fitted_densities.h"
 #include "core/study/representation_builder.h"
 
@@ -242,10 +240,11 @@ MadeFigure makeEditing(const FigureRecord& record, Inputs& inputs, const TaskCon
   const materials::Material base{subject.name, {}, table, table, nullptr, nullptr};
   const std::array edits{editing::Edit{change, "", 1}};
   const materials::Material edited = materials::withEdits(base, edits, {control.stop, {}});
-  const std::array<ComparedBrdf, 4> shown{{{"Measured", table},
-                                           {"Fitted (GGX)", model.instantiate(fit.parameters)},
-                                           {"Edited model", model.instantiate(change.target())},
-                                           {"Edited measurement", edited.brdf}}};
+  const std::array<std::pair<const char*, std::shared_ptr<const Brdf>>, 4> shown{
+      {{"Measured", table},
+       {"Fitted (GGX)", model.instantiate(fit.parameters)},
+       {"Edited model", model.instantiate(change.target())},
+       {"Edited measurement", edited.brdf}}};
   const rendering::RenderOptions options = inputs.picture();
   const rendering::Scene scene = rendering::comparisonScene();
   rendering::RenderOptions own = options;
@@ -254,9 +253,9 @@ MadeFigure makeEditing(const FigureRecord& record, Inputs& inputs, const TaskCon
   PictureRow row{shownName(subject), {}};
   std::vector<std::string> columns;
   std::vector<Image> pictures;
-  for (const ComparedBrdf& one : shown) {
-    pictures.push_back(rendering::renderPicture(*one.brdf, scene, own, {control.stop, {}}));
-    columns.push_back(one.label);
+  for (const auto& [label, brdf] : shown) {
+    pictures.push_back(rendering::renderPicture(*brdf, scene, own, {control.stop, {}}));
+    columns.emplace_back(label);
     row.cells.push_back({shownPicture(pictures.back())});
   }
   // Eq. 4.41 is linear in the BRDF where nothing is clamped: so are the pictures.
@@ -276,112 +275,13 @@ MadeFigure makeEditing(const FigureRecord& record, Inputs& inputs, const TaskCon
   return made;
 }
 
-// Figures 2.6, 5.3, 5.4: measurement of two curves.
-
-using acquisition::FactorAxes;
-using acquisition::FactorBound;
-
-ComparedBrdf measured(const char* label, const Brdf& material, FactorAxes axes, FactorBound bound) {
-  return {label, acquisition::predictFromFactors(acquisition::measureFactors(material, {.axes = axes}), bound)};
-}
-
-/// The best product of two curves of all cells, which no measurement of two curves exceeds by much.
-ComparedBrdf rankOneFit(const TabulatedBrdf& table, const TaskControl& control) {
-  const factorization::PdvOptions options{.form = factorization::PdvForm::twoFactors, .terms = 1};
-  return {"PDV, rank-one fit",
-          factorization::makePdvBrdf(factorization::factorizePdv(table, options, {control.stop, {}}).factors)};
-}
-
-MadeFigure makeSparseMeasurement(const FigureRecord& record, Inputs& inputs, const TaskControl& control) {
-  const InputMaterial subject = inputs.find(record.subjects[0]);
-  const auto table = inputs.table(subject, control);
-  PictureRows rows(inputs.picture());
-  const std::array compared{measured("Sparse measurement", *table, FactorAxes::projectedDeviation, FactorBound::none)};
-  const auto ratios = rows.add(shownName(subject), *table, compared, control);
-  return {rows.draw(std::string(record.title)), rows.table(), {{"rendered SNR", "dB", ratios[0]}}, {}};
-}
-
-MadeFigure makeFactorMeasurement(const FigureRecord& record, Inputs& inputs, const TaskControl& control) {
-  const InputMaterial subject = inputs.find(record.subjects[0]);
-  const auto table = inputs.table(subject, control);
-  const std::array compared{
-      measured("PDV", *table, FactorAxes::projectedDeviation, FactorBound::none),
-      measured("Half-difference", *table, FactorAxes::halfDifference, FactorBound::none),
-      measured("Half-out", *table, FactorAxes::halfOut, FactorBound::none),
-      measured("Symmetric PDV, bounded", *table, FactorAxes::symmetricDeviation, FactorBound::readings),
-      rankOneFit(*table, control)};
-  PictureRows rows(inputs.picture());
-  const auto ratios = rows.add(shownName(subject), *table, compared, control);
-  MadeFigure made{rows.draw(std::string(record.title)), rows.table(), {}, {}};
-  for (std::size_t i = 0; i < compared.size(); ++i)
-    made.values.push_back({compared[i].label + ", rendered SNR", "dB", ratios[i]});
-  // The print does not state the fixed angle: how much it decides.
-  const rendering::RenderedComparison comparison(*table, inputs.picture(), {control.stop, {}});
-  for (const double angle : {15., 30., 45., 75.}) {
-    const auto measurement = acquisition::measureFactors(*table, {.fixedAngle = radians(angle)});
-    const auto brdf = acquisition::predictFromFactors(measurement, FactorBound::none);
-    made.values.push_back({"PDV, fixed angle " + shortText(angle) + " degrees, rendered SNR", "dB",
-                           comparison.signalToNoiseRatio(comparison.render(*brdf, {control.stop, {}}))});
-  }
-  return made;
-}
-
-MadeFigure makeFactorCurves(const FigureRecord& record, Inputs& inputs, const TaskControl& control) {
-  const InputMaterial subject = inputs.find(record.subjects[0]);
-  const auto measurement = acquisition::measureFactors(*inputs.table(subject, control));
-  Chart along{.title = "(a) F1: along the mirror direction",
-              .xTitle = "theta_R [degrees]",
-              .yTitle = "ln(1 + rho)",
-              .series = {}};
-  Chart across{.title = "(b) F2: across, at theta_R = " + shortText(degrees(measurement.fixedAngle)) + " degrees",
-               .xTitle = "|Dp|",
-               .yTitle = "ln(1 + rho)",
-               .series = {}};
-  constexpr std::array names{"red", "green", "blue"};
-  constexpr std::array colours{"#d55e00", "#009e73", "#0072b2"};
-  MadeFigure made;
-  const std::size_t rows = std::max(measurement.angles.size(), measurement.distances.size());
-  const auto column = [&](const std::string& title, std::vector<double> values, double scale = 1) {
-    for (double& value : values) value *= scale;
-    values.resize(rows, std::nan(""));
-    made.table.columns.push_back({title, std::move(values)});
-  };
-  column("theta_R [degrees]", measurement.angles, degrees(1));
-  for (std::size_t c = 0; c < 3; ++c) column(std::string("F1 ") + names[c], measurement.along[c]);
-  column("|Dp|", measurement.distances);
-  for (std::size_t c = 0; c < 3; ++c) column(std::string("F2 ") + names[c], measurement.acrossRead[c]);
-  for (std::size_t c = 0; c < 3; ++c) {
-    ChartSeries f1{.name = names[c], .points = {}, .colour = colours[c]}, f2 = f1;
-    for (std::size_t i = 0; i < measurement.angles.size(); ++i)
-      f1.points.emplace_back(degrees(measurement.angles[i]), measurement.along[c][i]);
-    for (std::size_t i = 0; i < measurement.distances.size(); ++i)
-      f2.points.emplace_back(measurement.distances[i], measurement.acrossRead[c][i]);
-    along.series.push_back(std::move(f1));
-    across.series.push_back(std::move(f2));
-  }
-  made.drawing = drawCharts(std::string(record.title) + ", " + shownName(subject), std::array{along, across}, 2);
-  const std::vector<double>& green = measurement.along[1];
-  made.values = {{"F1 at the last angle over F1 at the first, green", "", green.back() / green.front()},
-                 {"readings", "", double(measurement.angles.size() + measurement.distances.size())}};
-  return made;
-}
-
 }  // namespace
 
 std::vector<FigureRecord> factorFigures() {
   const std::vector<Subject> three{{MaterialSet::merl, "blue-metallic-paint", {"blue-metallic-paint2"}},
                                    {MaterialSet::merl, "nickel", {"chrome-steel", "ss440"}},
                                    {MaterialSet::merl, "yellow-matte-plastic", {"yellow-plastic"}}};
-  const Subject redPaint{MaterialSet::merl, "red-metallic-paint", {"blue-metallic-paint", "gold-metallic-paint"}};
   return {
-      {.id = "2.6",
-       .title = "A material from a sparse measurement",
-       .shows = "gold-metallic-paint3 predicted from the two curves of a factor measurement (eq. 5.6).",
-       .source = "figure 2.6: no numbers printed",
-       .subjects = {{MaterialSet::merl, "gold-metallic-paint3", {"gold-metallic-paint2", "gold-metallic-paint"}}},
-       .fullMinutes = 0.05,
-       .quickMinutes = 0.05,
-       .make = makeSparseMeasurement},
       {.id = "4.3",
        .title = "Factor models at equal size",
        .shows =
@@ -427,30 +327,6 @@ std::vector<FigureRecord> factorFigures() {
        .fullMinutes = 0.2,
        .quickMinutes = 0.1,
        .make = makeEditing},
-      {.id = "5.3",
-       .title = "Factor measurement in three coordinates",
-       .shows = "red-metallic-paint predicted from two measured curves (eq. 5.6) in PDV, half-difference and half-out "
-                "coordinates, with Gonio's bounds, and as the best product of two curves of all cells; for other fixed "
-                "angles in the table of values.",
-       .source = "figure 5.3, captions",
-       .printed = {{"PDV, rendered SNR", 31.84},
-                   {"Half-difference, rendered SNR", 22.06},
-                   {"Half-out, rendered SNR", 25.59}},
-       .differences =
-           "The print does not state the fixed angle (here 60 degrees) nor the number of readings (here 90 and "
-           "90 to 89 degrees, arms at least 2 degrees apart), and renders another scene.",
-       .subjects = {redPaint},
-       .fullMinutes = 0.2,
-       .quickMinutes = 0.1,
-       .make = makeFactorMeasurement},
-      {.id = "5.4",
-       .title = "The two curves of a factor measurement",
-       .shows = "chrome: ln(1 + rho) in the mirror direction, and across the highlight at the fixed angle.",
-       .source = "figure 5.4: no numbers printed; F1 is high and steep near grazing angles",
-       .subjects = {{MaterialSet::merl, "chrome", {"chrome-steel"}}},
-       .fullMinutes = 0.02,
-       .quickMinutes = 0.02,
-       .make = makeFactorCurves},
   };
 }
 

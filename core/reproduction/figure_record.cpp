@@ -13,7 +13,8 @@ namespace gonio::reproduction {
 std::span<const FigureRecord> allFigures() {
   static const std::vector<FigureRecord> figures = [] {
     std::vector<FigureRecord> all;
-    for (const auto chapter : {statisticsFigures, factorFigures, dictionaryFigures, acquisitionFigures})
+    for (const auto chapter :
+         {statisticsFigures, factorFigures, dictionaryFigures, measurementFigures, acquisitionFigures})
       std::ranges::move(chapter(), std::back_inserter(all));
     // Tables of a chapter before its figures.
     std::ranges::stable_sort(all, {},

@@ -67,7 +67,8 @@ std::vector<const FigureRecord*> selectedFigures(std::span<const std::string> id
 
 // The records of each file of makers.
 std::vector<FigureRecord> statisticsFigures();   ///< table 2.1, figures 2.7, 4.1, 4.2
-std::vector<FigureRecord> factorFigures();       ///< 2.6, 4.3, 4.4, 4.8, 5.3, 5.4
+std::vector<FigureRecord> factorFigures();       ///< 4.3, 4.4, 4.8
+std::vector<FigureRecord> measurementFigures();  ///< 2.6, 5.3, 5.4
 std::vector<FigureRecord> dictionaryFigures();   ///< 2.8, 4.5 to 4.7, 4.9
 std::vector<FigureRecord> acquisitionFigures();  ///< 5.5 to 5.9, table 5.1
 

@@ -51,6 +51,8 @@ std::string shownName(const InputMaterial& material) {
 Inputs::Inputs(InputOptions options) : options_(std::move(options)) {
   for (const MaterialSet set : {MaterialSet::merl, MaterialSet::rgl, MaterialSet::dtu}) {
     const std::string& given = folder(set);
+    if (!given.empty() && !std::filesystem::is_directory(given))
+      throw Error(given + ": found no folder of this name, expected a folder of measured files");
     for (const std::string& path : given.empty() ? bundledPaths(set) : study::trainingFiles({given}))
       sets_[std::size_t(set)].push_back({path, materialName(std::filesystem::path(path).stem().string()), set});
   }

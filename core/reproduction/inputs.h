@@ -53,7 +53,7 @@ struct InputOptions {
 /// The materials of a run, and what several figures share.
 class Inputs {
  public:
-  /// Lists the files. @throws Error if a folder has no measured material.
+  /// Lists the files. @throws Error that names a folder that does not exist or has no measured material.
   explicit Inputs(InputOptions options);
 
   bool quick() const { return options_.quick; }

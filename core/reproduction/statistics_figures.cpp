@@ -353,7 +353,7 @@ std::vector<FigureRecord> statisticsFigures() {
        .title = "Normalised energy over the deviation, and the steps of its nodes",
        .shows = "The energy of eq. 4.24 at 2,000 values of |Dp|, and the steps of 90 nodes at its quantiles.",
        .source = "figure 4.2: no numbers printed",
-       .differences = "The energy is of ln(1 + rho), as in Paper B; eq. 4.24 prints rho.",
+       .differences = "The energy is that of ln(1 + rho), as in Paper B; eq. 4.24 prints rho.",
        .wholeSets = {MaterialSet::merl},
        .fullMinutes = 0.5,
        .quickMinutes = 0.02,

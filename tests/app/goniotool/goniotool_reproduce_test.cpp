@@ -82,10 +82,12 @@ class GoniotoolReproduceTest : public QObject {
     QVERIFY(kept(diffuse(), 1));
   }
 
-  void unknownFiguresAreListed() {
+  void unknownFiguresAndFolders() {
     const ToolResult result = reproduce("unknown", {"--only", "4.3,9.9"});
     QCOMPARE(result.code, 2);
     QVERIFY(result.error.contains("9.9") && result.error.contains("4.3, 4.4") && result.errorLines() == 1);
+    const ToolResult folder = reproduce("unknown", {"--only", "2.1", "--merl", folder_.path("nowhere")});
+    QVERIFY(folder.code == 1 && folder.error.contains("nowhere: found no folder"));
     QVERIFY(!QFile::exists(folder_.path("unknown")));
   }
 
