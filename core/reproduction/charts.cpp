@@ -229,7 +229,7 @@ FigureDrawing drawPictures(const std::string& title, std::span<const std::string
     double height = 0;  // of the pictures
     for (const PictureCell& cell : row.cells)
       if (cell.raster.width > 0) height = std::max(height, side * cell.raster.height / cell.raster.width);
-    const auto labelLines = brokenLines(row.label, std::max(height, 8.), pageFontSize, width, true);
+    const auto labelLines = brokenLines(row.label, std::max(height, 14.), pageFontSize, width, true);
     for (std::size_t i = 0; i < labelLines.size(); ++i)
       page.items.emplace_back(TextItem{{pageMargin + pageLine * double(i + 1), y + height / 2},
                                        labelLines[i],

@@ -235,7 +235,7 @@ constexpr std::string_view bundledDictionaries =
 }  // namespace
 
 std::vector<FigureRecord> dictionaryFigures() {
-  const Subject redPaint{MaterialSet::merl, "red-metallic-paint", {"blue-metallic-paint", "gold-metallic-paint"}};
+  const Subject redPaint{MaterialSet::merl, "red-metallic-paint", {"blue-metallic-paint2", "gold-metallic-paint3"}};
   return {
       {.id = "2.8",
        .title = "Reconstructions from two logarithmic transforms",

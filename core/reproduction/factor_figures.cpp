@@ -279,7 +279,7 @@ MadeFigure makeEditing(const FigureRecord& record, Inputs& inputs, const TaskCon
 
 std::vector<FigureRecord> factorFigures() {
   const std::vector<Subject> three{{MaterialSet::merl, "blue-metallic-paint", {"blue-metallic-paint2"}},
-                                   {MaterialSet::merl, "nickel", {"chrome-steel", "ss440"}},
+                                   {MaterialSet::merl, "nickel", {"aluminium", "chrome-steel"}},
                                    {MaterialSet::merl, "yellow-matte-plastic", {"yellow-plastic"}}};
   return {
       {.id = "4.3",
@@ -296,7 +296,7 @@ std::vector<FigureRecord> factorFigures() {
            "random numbers. The print renders the Princeton scene with PBRT; here the scene and its light are "
            "Gonio's.",
        .subjects = three,
-       .fullMinutes = 2,
+       .fullMinutes = 6,
        .quickMinutes = 0.5,
        .make = makeModels},
       {.id = "4.4",

@@ -22,7 +22,8 @@ enum class MaterialSet { merl, rgl, dtu };
 /// Names on the command line and in texts, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 3> materialSetNames{"merl", "rgl", "dtu"};
 
-/// A material that a figure shows, and which others can replace it where it is missing, the most similar first.
+/// A material that a figure shows, and which others can replace it where it is missing, the most similar first: of the
+/// same kind, with similar parameters of their published SGD fits (Bagher et al. 2012).
 struct Subject {
   MaterialSet set = MaterialSet::merl;
   std::string_view name;

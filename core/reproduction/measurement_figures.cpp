@@ -103,7 +103,7 @@ MadeFigure makeFactorCurves(const FigureRecord& record, Inputs& inputs, const Ta
 }  // namespace
 
 std::vector<FigureRecord> measurementFigures() {
-  const Subject redPaint{MaterialSet::merl, "red-metallic-paint", {"blue-metallic-paint", "gold-metallic-paint"}};
+  const Subject redPaint{MaterialSet::merl, "red-metallic-paint", {"blue-metallic-paint2", "gold-metallic-paint3"}};
   return {
       {.id = "2.6",
        .title = "A material from a sparse measurement",

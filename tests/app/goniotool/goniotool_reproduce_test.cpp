@@ -25,7 +25,7 @@ class GoniotoolReproduceTest : public QObject {
     const ToolResult result = reproduce("copies", {"--only", "5.3"});
     VERIFY_SUCCESS(result);
     QVERIFY(result.json["copies"] == true && result.json["figures"].size() == 1);
-    const auto table = materials::readMaterial("library:merl-copy/blue-metallic-paint").tabulated();
+    const auto table = materials::readMaterial("library:merl-copy/blue-metallic-paint2").tabulated();
     const rendering::RenderedComparison comparison(*table, rendering::smallComparisonPicture());
     const auto measurement = acquisition::measureFactors(*table, {.axes = acquisition::FactorAxes::halfOut});
     const auto brdf = acquisition::predictFromFactors(measurement, acquisition::FactorBound::none);
@@ -38,7 +38,7 @@ class GoniotoolReproduceTest : public QObject {
     QVERIFY(row != csv.rows.end());
     QCOMPARE(csv.number(*row, csv.requiredColumn("rendered snr [db]")), expected);
     const QByteArray report = bytesOf(folder_.path("copies/report.html"));
-    for (const char* text : {"25.59 dB", "No MERL files were given", "blue-metallic-paint for red-metallic-paint",
+    for (const char* text : {"25.59 dB", "No MERL files were given", "blue-metallic-paint2 for red-metallic-paint",
                              "figure-5.3.pdf", "<b>Quick run:</b>"})
       QVERIFY2(report.contains(text), text);
     QVERIFY(bytesOf(folder_.path("copies/figure-5.3.pdf")).startsWith("%PDF"));
