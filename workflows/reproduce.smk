@@ -5,8 +5,9 @@ import json
 import subprocess
 
 REPRODUCE = config["reproduce"]
-REPRODUCE_OPTIONS = " ".join([f"--{name} {shlex.quote(REPRODUCE[name])}" for name in ("merl", "rgl", "dtu") if REPRODUCE[name]]
-                             + (["--quick"] if REPRODUCE["quick"] else []))
+REPRODUCE_OPTIONS = " ".join(
+    [f"--{name} {shlex.quote(REPRODUCE[name])}" for name in ("merl", "rgl", "dtu") if REPRODUCE[name]]
+    + (["--quick"] if REPRODUCE["quick"] else []))
 
 
 def reproduced_figures():
@@ -32,7 +33,7 @@ rule reproduce_figure:
         id=reproduced_id,
         folder=folder_of_output,
     wildcard_constraints:
-        figure="(figure|table)-[0-9.]+",
+        figure="(?:figure|table)-[0-9.]+",
     shell:
         "{GONIOTOOL} reproduce {REPRODUCE_OPTIONS} --only {params.id} --threads {threads} --progress "
         "--out {params.folder:q} > {log:q} 2>&1"
