@@ -53,6 +53,7 @@ void addFit(CLI::App& app, Tool& tool);
 void addEdit(CLI::App& app, Tool& tool);
 void addExport(CLI::App& app, Tool& tool);
 void addRender(CLI::App& app, Tool& tool);
+void addReproduce(CLI::App& app, Tool& tool);
 void addScenes(CLI::App& app, Tool& tool);
 void addCompare(CLI::App& app, Tool& tool);
 void addFactor(CLI::App& app, Tool& tool);

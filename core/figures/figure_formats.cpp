@@ -118,12 +118,27 @@ struct CairoPainter {
   }
 
   void operator()(const FrameItem& item) const {
-    unsigned red = 0, green = 0, blue = 0;
-    std::sscanf(item.colour.c_str(), "#%2x%2x%2x", &red, &green, &blue);
-    cairo_set_source_rgb(cairo, red / 255.0, green / 255.0, blue / 255.0);
-    cairo_set_line_width(cairo, item.lineWidth);
+    setStroke(item.colour, item.lineWidth);
     cairo_rectangle(cairo, item.place.x, item.place.y, item.place.width, item.place.height);
     cairo_stroke(cairo);
+  }
+
+  void operator()(const LineItem& item) const {
+    setStroke(item.colour, item.lineWidth);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_dash(cairo, &item.dash, item.dash > 0 ? 1 : 0, 0);
+    cairo_new_path(cairo);  // a text leaves a current point
+    for (const glm::dvec2& point : item.points) cairo_line_to(cairo, point.x, point.y);
+    cairo_stroke(cairo);
+    cairo_set_dash(cairo, nullptr, 0, 0);
+  }
+
+ private:
+  void setStroke(const std::string& colour, double width) const {
+    unsigned red = 0, green = 0, blue = 0;
+    std::sscanf(colour.c_str(), "#%2x%2x%2x", &red, &green, &blue);
+    cairo_set_source_rgb(cairo, red / 255.0, green / 255.0, blue / 255.0);
+    cairo_set_line_width(cairo, width);
   }
 };
 
@@ -226,6 +241,10 @@ struct SvgPainter {
   void operator()(const FrameItem& item) const {
     const PageRectangle& place = item.place;
     svg.frame({place.x, place.y}, {place.right(), place.bottom()}, {.colour = item.colour, .width = item.lineWidth});
+  }
+  void operator()(const LineItem& item) const {
+    const std::string dashes = item.dash > 0 ? numberText(item.dash) : "";
+    svg.polyline(item.points, {.colour = item.colour, .width = item.lineWidth, .dashes = dashes});
   }
 };
 

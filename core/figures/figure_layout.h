@@ -58,7 +58,15 @@ struct FrameItem {
   double lineWidth = 0.1;          ///< mm
 };
 
-using DrawingItem = std::variant<PictureItem, TextItem, FrameItem>;
+/// A line through points, for plots.
+struct LineItem {
+  std::vector<glm::dvec2> points;  ///< mm
+  std::string colour = "#222222";  ///< "#rrggbb"
+  double lineWidth = 0.1;          ///< mm
+  double dash = 0;                 ///< length of dashes and gaps, mm; 0: solid
+};
+
+using DrawingItem = std::variant<PictureItem, TextItem, FrameItem, LineItem>;
 
 /// A white page with its items in drawing order. All file formats are written from this. Texts and title are
 /// plainText().

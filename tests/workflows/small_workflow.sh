@@ -32,6 +32,8 @@ tables() { workflow "$1" "['../tables']" judge_folds study "${@:2}"; }
 bundled() {
   workflow "$1" "['library:sgd/chrome', 'library:sgd/blue-fabric', 'library:sgd/gold-metallic-paint']" acquisition "${@:2}"
 }
+# With times: its results differ from run to run.
+reproduction() { workflow "$1" "['../tables']" reproduce "${@:2}"; }
 
 tables dry --dry-run || { cat "$folder/dry.log"; fail "dry run"; }
 bundled dry --dry-run || { cat "$folder/dry.log"; fail "dry run of the acquisition"; }
@@ -66,6 +68,10 @@ diff -r --exclude=log --exclude=checkpoints "$folder/whole/out" "$folder/killed/
 tables whole
 bundled whole
 [ "$(grep -c "Nothing to be done" "$folder/whole.log")" = 2 ] || fail "finished jobs run again"
+reproduction reproduced || { cat "$folder/reproduced.log"; fail "the reproduction"; }
+for file in figure-5.4.pdf table-2.1.csv report.html; do
+  [ -s "$folder/reproduced/out/reproduction/$file" ] || fail "$file of the reproduction is missing"
+done
 for table in judged/summary.csv study/summary.csv acquisition/medians.csv; do
   [ -s "$folder/whole/out/$table" ] || fail "$table is missing"
 done

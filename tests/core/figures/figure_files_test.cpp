@@ -148,6 +148,26 @@ class FigureFilesTest : public QObject {
     QVERIFY(raster.rgba == (std::vector<std::uint8_t>{255, 255, 255, 255, 255, 0, 0, 255}));
   }
 
+  /// A line covers the pixels between its points, in its colour; a text before it is not joined to it.
+  void linesAreBetweenTheirPoints() {
+    FigureDrawing drawing{.width = 25.4, .height = 25.4, .font = "Helvetica", .title = {}, .items = {}};
+    drawing.items.emplace_back(TextItem{{1, 24}, "."});
+    drawing.items.emplace_back(LineItem{{{5, 10}, {20, 10}}, "#ff0000", 2});
+    const Raster raster = figureRaster(drawing, 100);  // 100 x 100 pixels
+    const auto isWhite = [&](int x, int y) {
+      const std::uint8_t* pixel = &raster.rgba[4 * (std::size_t(y) * std::size_t(raster.width) + std::size_t(x))];
+      return pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
+    };
+    const std::size_t middle = 4 * (39 * std::size_t(raster.width) + 50);
+    QVERIFY(raster.rgba[middle] == 255 && raster.rgba[middle + 1] == 0 && raster.rgba[middle + 2] == 0);
+    for (int x = 0; x < 100; ++x) QVERIFY(isWhite(x, 60) && isWhite(x, 30));
+    QVERIFY(isWhite(15, 39) && isWhite(85, 39));
+    const std::string svg = figureSvg(drawing);
+    QVERIFY(svg.find("#ff0000") != std::string::npos && svg.find("dasharray") == std::string::npos);
+    std::get<LineItem>(drawing.items.back()).dash = 1.5;
+    QVERIFY(figureSvg(drawing).find("dasharray=\"1.5\"") != std::string::npos);
+  }
+
   void theBestErrorsAreBold() {
     const FigureDescription figure = test::smallFigure();
     FigureMeasurement measurement = test::madeUpMeasurement(figure);
