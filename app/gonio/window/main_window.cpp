@@ -43,6 +43,7 @@
 #include "app/gonio/window/start_page.h"
 #include "app/gonio/window/status_line.h"
 #include "app/gonio/window/window_keys.h"
+#include "widgets/inputs/icons.h"
 #include "widgets/inputs/menu_text.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
@@ -148,6 +149,12 @@ void MainWindow::addDocks() {
       {tr("Scene"), "scene", m_parts.scene},
       {tr("Acquisition"), "acquisition", m_parts.acquisition}};
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);
+  const std::pair<const char*, const char*> icons[] = {
+      {"library", "library"},     {"inspector", "sliders"},     {"history", "history"},
+      {"plots", "plots"},         {"comparison", "comparison"}, {"factors", "curves"},
+      {"interpolation", "blend"}, {"scene", "scene"},           {"acquisition", "acquisition"}};
+  for (const auto& [name, icon] : icons)
+    m_docks->dock(name)->toggleViewAction()->setIcon(widgets::themedIcon(QString::fromLatin1(icon)));
   m_parts.libraryView.setEmptyText(tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the "
                                       "materials that come with Gonio.")
                                        .arg(materialFilePatterns().join(' ')));
@@ -180,6 +187,8 @@ void MainWindow::addMenus() {
   m_docks->addTabs(layouts, [this](DockLayout::Workspace workspace) {
     EditorActions::showWorkspace(*m_docks, m_parts.comparison, workspace);
   });
+  for (int tab = 0; const char* icon : {"edit", "comparison", "plots", "acquisition"})
+    m_docks->tabs()->setTabIcon(tab++, widgets::themedIcon(QString::fromLatin1(icon)));
   // What the states of the actions depend on.
   const auto follow = [this](auto* sender, auto... signal) {
     (connect(sender, signal, m_actions, &ActionTable::update), ...);
