@@ -362,7 +362,11 @@ QString Inspector::energyText(int edit) const {
   if (std::size_t(edit) + 1 >= energies.size()) return tr("Albedo: measuring...");
   const editing::Energy before = energies[std::size_t(edit)], after = energies[std::size_t(edit) + 1];
   const auto change = [](double from, double to) {
-    const QString was = QString::number(from, 'f', 3), is = QString::number(to, 'f', 3);
+    const auto shown = [](double albedo) {
+      constexpr double large = 100;  // of edits that make light
+      return albedo < large ? QString::number(albedo, 'f', 3) : QString::number(albedo, 'g', 3);
+    };
+    const QString was = shown(from), is = shown(to);
     return was == is ? was : QStringLiteral("%1 \u2192 %2").arg(was, is);
   };
   return tr("Albedo %1; at %2\u00b0 %3")

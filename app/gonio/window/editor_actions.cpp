@@ -332,6 +332,7 @@ Action EditorActions::light(EnvironmentController& environment, widgets::Preview
                     .checked = [&environment] { return environment.isFromScene(); },
                     .isChoice = true},
                    choice(tr("&Studio"), QStringLiteral("studio")),
+                   choice(tr("&Rim Lights"), QStringLiteral("rim-lights")),
                    choice(tr("S&ky"), QStringLiteral("sky")),
                    choice(tr("&Furnace"), QStringLiteral("furnace")),
                    distant,

@@ -103,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent)
   m_parts.restoreSettings();
   connectNotes();
   showTitle();
+  showGround();
   // Keys work at once, without a click first.
   m_start->openButton()->setFocus(Qt::OtherFocusReason);
 }
@@ -403,8 +404,26 @@ void MainWindow::showFailure(const QString& title, const QString& text) {
   box->open();
 }
 
+/// The ground of the picture is darker than the window in the dark theme, and mid-grey in a light one.
+void MainWindow::showGround() {
+  constexpr int middle = 128;
+  widgets::DisplaySettings display = m_parts.preview.display();
+  const widgets::DisplaySettings dark;
+  const bool isDark = palette().color(QPalette::Window).lightness() < middle;
+  display.backgroundCentre = isDark ? dark.backgroundCentre : QColor(150, 150, 152);
+  display.backgroundEdge = isDark ? dark.backgroundEdge : QColor(118, 118, 120);
+  m_parts.preview.setDisplay(display);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showGround();
+}
+
 void MainWindow::showTitle() {
-  setWindowTitle(tr("%1[*] - Gonio").arg(widgets::titleText(m_parts.document.name())));
+  const Document& document = m_parts.document;
+  const QString name = document.path().isEmpty() ? widgets::spacedName(document.name()) : document.name();
+  setWindowTitle(tr("%1[*] - Gonio").arg(widgets::titleText(name)));
   setWindowModified(m_parts.document.isModified());
 }
 

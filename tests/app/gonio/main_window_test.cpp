@@ -420,6 +420,22 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// The ground of the picture is mid-grey in a light window, and dark in a dark one.
+  void theGroundFollowsTheTheme() {
+    auto* window = new MainWindow;
+    const auto ground = [&](const QColor& colour) {
+      QPalette palette = window->palette();
+      palette.setColor(QPalette::Window, colour);
+      window->setPalette(palette);
+      return window->parts().preview.display().backgroundCentre.lightness();
+    };
+    QVERIFY(ground(QColor(40, 40, 40)) < 80);
+    const int light = ground(QColor(240, 240, 240));
+    QVERIFY(light > 110 && light < 170);
+    QVERIFY(ground(QColor(40, 40, 40)) < 80);
+    delete window;
+  }
+
   void newWindowsAreWindowsOfTheirOwn() {
     auto* window = new MainWindow;
     run(*window, "File > New Window");

@@ -151,7 +151,8 @@ class ShownNamesTest : public QObject {
   void names() {
     QFETCH(QString, name);
     openMaterial(name);
-    QCOMPARE(m_window->windowTitle(), widgets::titleText(m_parts->document.name()) + "[*] - Gonio");
+    QCOMPARE(m_window->windowTitle(),
+             widgets::titleText(widgets::spacedName(m_parts->document.name())) + "[*] - Gonio");
     showScene(name);
     QCOMPARE(QString::fromStdString(m_parts->preview.content().scene().description), name);
     if (!name.isEmpty())
