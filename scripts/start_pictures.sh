@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: The Gonio authors
 # scripts/start_pictures.sh [GONIOTOOL]: renders the pictures of the editor's start page into resources/start: six materials on
 # the shader ball, and one picture for each kind of editing. Needs ImageMagick; five minutes on two cores. Run it when one of
-# the materials, the rim lights or the tone curve has changed.
+# the materials, the studio or the tone curve has changed.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 tool=${1:-$root/build/release/app/goniotool/goniotool}
@@ -20,7 +20,7 @@ cat >"$work/ball.json" <<'END'
    {"name": "the shader ball", "shape": "mesh", "mesh": "shader-ball"},
    {"name": "the ground", "shape": "rectangle", "centre": [0, -1, 0], "halfU": [0, 0, 60], "halfV": [60, 0, 0],
     "material": {"diffuse": [0.05, 0.05, 0.05]}}],
- "environment": {"picture": "rim-lights"}}
+ "environment": {"picture": "studio"}}
 END
 samples=${SAMPLES:-128}
 
