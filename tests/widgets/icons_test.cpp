@@ -56,6 +56,8 @@ class IconsTest : public QObject {
                    disabled = icon.pixmap(64, 64, QIcon::Disabled).toImage();
       const QPoint middle = enabled.rect().center();
       QCOMPARE(enabled.pixelColor(middle), colour);
+      QCOMPARE(icon.pixmap(64, 64, QIcon::Selected).toImage().pixelColor(middle),
+               palette.color(QPalette::HighlightedText));
       QVERIFY(std::abs(disabled.pixelColor(middle).alpha() - 100) <= 2);
     }
     QApplication::setPalette(before);

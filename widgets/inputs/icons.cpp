@@ -25,7 +25,7 @@ class IconEngine final : public QIconEngine {
     const QPalette palette = QGuiApplication::palette();
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
     painter->save();
-    painter->setPen(palette.color(group, QPalette::ButtonText));
+    painter->setPen(palette.color(group, mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText));
     paintIcon(*painter, m_name, rect);
     painter->restore();
   }

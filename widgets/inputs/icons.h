@@ -7,8 +7,9 @@
 
 namespace gonio::widgets {
 
-/// An icon of resources/icons by the name of its file. It is drawn in the palette's text colour when it is painted, so
-/// that it is sharp at any scale and follows the theme. Precondition: hasIcon(name).
+/// An icon of resources/icons by the name of its file. It is drawn in the palette's text colour when it is painted
+/// (that of selected text in a selected row), so that it is sharp at any scale and follows the theme. Precondition:
+/// hasIcon(name).
 QIcon themedIcon(const QString& name);
 /// The same with the painter's pen, in a rectangle.
 void paintIcon(QPainter& painter, const QString& name, const QRectF& rect);

@@ -135,7 +135,8 @@ ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, co
   connect(m_withScene, &QCheckBox::toggled, this, &ExportDialog::showFiles);
   connect(m_name, &QLineEdit::textChanged, this, &ExportDialog::showFiles);
   showTarget();
-  m_delay.stop();  // only the keys of the list pass by targets that nobody wants to see
+  // The first target is made at once: the delay is for keys that pass by targets.
+  m_delay.stop();
   if (!trial() || !trial()->isRefined) startTrial();
 }
 
@@ -156,6 +157,7 @@ QWidget* ExportDialog::targetList() {
     if (i == 0 || targets[i].group != targets[i - 1].group) {
       group = new QTreeWidgetItem(m_targets, {groupTitle(targets[i].group)});
       group->setFlags(Qt::ItemIsEnabled);
+      group->setSizeHint(labelColumn, {0, line * 3 / 2});  // of all rows
       QFont bold = font();
       bold.setBold(true);
       group->setFont(labelColumn, bold);

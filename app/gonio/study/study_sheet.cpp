@@ -27,7 +27,7 @@ namespace gonio::app {
 namespace {
 
 const QString pictureFolder = QStringLiteral("plot");
-constexpr int side = 256, samples = 256, firstCount = 8, maxCount = 1000, minTile = 96, maxTile = 384, firstTile = 160;
+constexpr int side = 256, samples = 64, firstCount = 8, maxCount = 1000, minTile = 96, maxTile = 384, firstTile = 160;
 constexpr int savedTile = 320, savedPdfTile = 120, maxSavedColumns = 6;
 
 QImage imageOf(const std::vector<std::uint8_t>& rgba) {

@@ -142,7 +142,6 @@ QMainWindow::separator { width: 5px; height: 5px; background: palette(window); }
 QLabel#groupTitle { margin-top: 0.8ex; }
 QFrame#messageBar { border-left: 3px solid palette(highlight); }
 QStatusBar::item { border: none; }
-QTreeView::item { padding: 0.25ex 0; }
 QPushButton:focus, QComboBox:focus, QLineEdit:focus, QListView:focus { outline: none; }
 )";
 

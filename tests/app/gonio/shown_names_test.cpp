@@ -179,7 +179,7 @@ class ShownNamesTest : public QObject {
     m_parts->libraryView.setTitle(name);
     m_parts->libraryView.setChipsShown(true);
     const QModelIndex index = m_parts->library.model().index(0);
-    QCOMPARE(index.data().toString(), name);
+    QCOMPARE(index.data().toString(), widgets::spacedName(name));
     QTextDocument toolTip;
     toolTip.setHtml(index.data(widgets::richToolTipRole).toString());
     QVERIFY(toolTip.toPlainText().simplified().contains(shownInHtml(name)));
