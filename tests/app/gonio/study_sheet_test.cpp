@@ -89,6 +89,12 @@ class StudySheetTest : public QObject {
       QVERIFY(rowIsWhite(picture.height() - 1));
       QVERIFY(rowIsWhite(0));
     }
+    // The end of a name, which distinguishes it, is shown.
+    const auto drawn = [&](const QString& end) {
+      sheet.setTiles({{name + end, {}, grey, grey}});
+      return sheet.picture(112, 1);
+    };
+    QVERIFY(drawn("rougher") != drawn("smoother"));
     const QByteArray pdf = sheet.pdf(112, 2);
     QVERIFY(pdf.startsWith("%PDF-") && pdf.contains("/Count 1"));
   }
