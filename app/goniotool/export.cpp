@@ -115,11 +115,11 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   return 0;
 }
 
-/// "mitsuba: Mitsuba 3; pbrt: pbrt-v4"
+/// "Targets:\n  mitsuba: Mitsuba 3. Renders in Mitsuba 3 as it looks here." and so on, one target a line
 std::string targetList() {
-  std::string text;
+  std::string text = "Targets:";
   for (const exports::ExportTarget& target : exports::exportTargets())
-    text += (text.empty() ? "" : "; ") + std::string(target.id) + ": " + std::string(target.label);
+    text += "\n  " + std::string(target.id) + ": " + std::string(target.label) + ". " + std::string(target.purpose);
   return text;
 }
 
@@ -134,13 +134,12 @@ std::vector<std::string> targetIds() {
 void addExport(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ExportArguments>();
   CLI::App* command = app.add_subcommand("export", "Exports a material, with its edits, for a renderer or as a table");
+  command->footer(targetList());
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("OUT", options->out, "Path of the files to write, without suffix")
       ->group(outputGroup)
       ->required();
-  command->add_option("--for", options->target, "Target. " + targetList())
-      ->required()
-      ->check(CLI::IsMember(targetIds()));
+  command->add_option("--for", options->target, "Target, see below")->required()->check(CLI::IsMember(targetIds()));
   command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0.0, 100.0));
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));

@@ -47,6 +47,8 @@ enum class TargetGroup { renderers, engines, data };
 struct ExportTarget {
   std::string_view id;                     ///< value of --for and of settings, e.g. "mitsuba"
   std::string_view label;                  ///< for display, e.g. "Mitsuba 3"
+  std::string_view icon;                   ///< an icon of resources/icons
+  std::string_view purpose;                ///< when to choose it, for artists; one sentence
   std::string_view description;            ///< the files and their use, one or two sentences
   std::string_view limitations;            ///< what the files can and cannot represent, one sentence
   std::vector<std::string_view> suffixes;  ///< the files are NAME with each suffix, e.g. "_rgb.bsdf"

@@ -120,9 +120,12 @@ ExportResult makeSlices(const materials::EditedMaterial& source, const ExportOpt
   return made;
 }
 
-ExportTarget bsdfTarget(std::string_view id, std::string_view label, std::string_view description) {
+ExportTarget bsdfTarget(std::string_view id, std::string_view label, std::string_view icon, std::string_view purpose,
+                        std::string_view description) {
   return {.id = id,
           .label = label,
+          .icon = icon,
+          .purpose = purpose,
           .description = description,
           .limitations =
               "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; the stored "
@@ -136,7 +139,7 @@ ExportTarget bsdfTarget(std::string_view id, std::string_view label, std::string
 
 ExportTarget mitsubaTarget() {
   ExportTarget mitsuba =
-      bsdfTarget("mitsuba", "Mitsuba 3",
+      bsdfTarget("mitsuba", "Mitsuba 3", "target-sphere-light", "Renders in Mitsuba 3 as it looks here.",
                  "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for "
                  "the spectral ones.");
   mitsuba.make = makeBsdf<false>;
@@ -146,7 +149,7 @@ ExportTarget mitsubaTarget() {
 
 ExportTarget pbrtTarget() {
   ExportTarget pbrt =
-      bsdfTarget("pbrt", "pbrt-v4",
+      bsdfTarget("pbrt", "pbrt-v4", "target-film", "Renders in pbrt-v4 as it looks here.",
                  "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf with the same material in "
                  "RGB, for other programs.");
   pbrt.make = makeBsdf<true>;
@@ -157,6 +160,8 @@ ExportTarget pbrtTarget() {
 ExportTarget merlTarget() {
   return {.id = "merl",
           .label = "MERL file",
+          .icon = "target-table",
+          .purpose = "Opens in research tools and in renderers that read MERL files.",
           .description = "A file in the layout of the MERL database, which research code and several renderers read.",
           .limitations = "Isotropic, reciprocal materials at 90 x 90 x 180 half-difference angles.",
           .suffixes = {".binary"},
@@ -166,6 +171,8 @@ ExportTarget merlTarget() {
 ExportTarget merlCircleTarget() {
   return {.id = "merl-360",
           .label = "360-degree MERL file",
+          .icon = "target-circle-table",
+          .purpose = "Stores the full measurement for Gonio; other programs cannot read it.",
           .description =
               "The layout of the MERL database with phi_d from 0 to 360 degrees: Gonio reads it, most other programs "
               "do not.",
@@ -177,6 +184,8 @@ ExportTarget merlCircleTarget() {
 ExportTarget utiaTarget() {
   return {.id = "utia",
           .label = "UTIA file",
+          .icon = "target-hemisphere",
+          .purpose = "Opens in the tools of the UTIA database; suits rough materials and fabrics.",
           .description = "A file in the layout of the UTIA BRDF database, for its published code and for Gonio.",
           .limitations =
               "Isotropic and anisotropic materials at 288 x 288 directions: 15 degrees of polar angle by 7.5 of "
@@ -189,6 +198,8 @@ ExportTarget csvTarget() {
   return {
       .id = "csv",
       .label = "BRDF values (CSV)",
+      .icon = "target-spreadsheet",
+      .purpose = "Opens as a table of numbers in a spreadsheet.",
       .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
       .limitations =
           "Polar angle of the light 0 to 75 degrees in steps of 15, of the viewer 0 to 85 in steps of 5, azimuth in "
@@ -200,6 +211,8 @@ ExportTarget csvTarget() {
 ExportTarget slicesTarget() {
   return {.id = "slices",
           .label = "Slices (OpenEXR)",
+          .icon = "target-slices",
+          .purpose = "Shows the material as an image for a figure; it does not render.",
           .description = "An image of four planes of half-difference space, theta_h by theta_d, for figures.",
           .limitations =
               "Values at phi_d of 0, 30, 60 and 90 degrees; for an anisotropic material with the half vector "

@@ -68,6 +68,24 @@ Rgb studioRadiance(const Direction& w) {
   return sum;
 }
 
+/// The studio with strips of light all around the back: shiny black things get a bright outline, which the studio alone
+/// gives them on one side.
+Rgb rimLightsRadiance(const Direction& w) {
+  static const SoftBox boxes[] = {
+      // Key and fill as in the studio.
+      {{-0.84, 0.64, 0.60}, 0.42, 0.50, 0.06, 0.10, 0.45, Rgb(12.0, 11.7, 11.2)},
+      {{0.85, 0.10, 0.75}, 0.50, 0.70, 0.15, 0.40, 0.30, Rgb(0.90, 0.95, 1.05)},
+      // Tall strips behind on both sides, the one opposite to the key brighter.
+      {{0.80, 0.22, -0.52}, 0.13, 1.00, 0.06, 0.06, 0.25, Rgb(20.0, 20.5, 21.3)},
+      {{-0.86, 0.12, -0.50}, 0.10, 1.00, 0.06, 0.06, 0.25, Rgb(12.0, 12.3, 12.8)},
+      // A wide bank overhead, which joins them.
+      {{0.0, 1.0, -0.45}, 1.10, 0.22, 0.10, 0.14, 0.35, Rgb(8.5, 8.5, 8.5)},
+  };
+  Rgb sum = 2.0 * studioRoom(w);
+  for (const SoftBox& box : boxes) sum += box(w);
+  return sum;
+}
+
 Rgb skyRadiance(const Direction& w) {
   static const Direction sun = glm::normalize(Direction{-0.55, 0.62, 0.56});
   static const double sunRadius = radians(1.25), sunEdge = radians(0.12);
@@ -139,11 +157,9 @@ std::shared_ptr<const EnvironmentMap> paint(const BundledEnvironment& environmen
 }
 
 constexpr BundledEnvironment environments[] = {
-    {"studio", 2, 0.68, studioRadiance},
-    {"sky", 6, 0.5, skyRadiance},
-    {"sunset", 4, 1.15, sunsetRadiance},
-    {"window", 2, 0.46, windowRadiance},
-    {"furnace", 1, 1, [](const Direction&) { return Rgb(1); }},
+    {"studio", 2, 0.68, studioRadiance}, {"rim-lights", 2, 0.54, rimLightsRadiance},
+    {"sky", 6, 0.5, skyRadiance},        {"sunset", 4, 1.15, sunsetRadiance},
+    {"window", 2, 0.46, windowRadiance}, {"furnace", 1, 1, [](const Direction&) { return Rgb(1); }},
 };
 constexpr std::size_t environmentCount = std::size(environments);
 

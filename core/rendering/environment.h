@@ -88,8 +88,9 @@ class EnvironmentRotation {
   double c_, s_;
 };
 
-/// The bundled environments, computed by code, 512 x 256: "studio" (soft boxes), "sky" (clear, with a sun), "sunset" (a
-/// low warm sun in haze), "window" (a dim room with a window and a lamp), "furnace" (radiance 1 everywhere).
+/// The bundled environments, computed by code, 512 x 256: "studio" (soft boxes), "rim-lights" (the studio with strips
+/// of light behind the object, which outline dark materials), "sky" (clear, with a sun), "sunset" (a low warm sun in
+/// haze), "window" (a dim room with a window and a lamp), "furnace" (radiance 1 everywhere).
 const std::vector<std::string>& bundledEnvironmentNames();
 /// The names, separated by commas.
 std::string bundledEnvironmentList();

@@ -39,7 +39,7 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
         scene: Name of a bundled scene (gonio.scenes()), a scene file (.json), or a mesh (.obj, .ply, .stl, .gltf, .glb).
         size: Width and height in pixels, or one number for both.
         samples: Samples per pixel.
-        environment: Name of a bundled environment ("studio", "sky", "sunset", "window", "furnace") or of a latitude-longitude
+        environment: Name of a bundled environment ("studio", "rim-lights", "sky", "sunset", "window", "furnace") or of a latitude-longitude
             image (.hdr, .exr); "": the environment of the scene.
         rotation: Rotation of the environment about the vertical axis, rad; positive angles turn it from -z toward +x, clockwise seen from above.
         seed: Seed of the random numbers.

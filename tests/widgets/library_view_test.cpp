@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -87,6 +88,46 @@ class LibraryViewTest : public QObject {
       view.search()->setText(text);
       QCOMPARE(idsOf(view), ids);
     }
+  }
+
+  /// A material in several qualities is one entry, in its best quality that matches the search and the filter; the menu
+  /// opens the others.
+  void oneEntryForAllQualities() {
+    LibraryModel model;
+    LibraryView view(&model);
+    const auto item = [](const char* id, const char* name, const char* badge, const char* material) {
+      return LibraryItem{.id = id, .name = name, .toolTip = {}, .badge = badge, .kind = "Metal", .material = material};
+    };
+    model.setItems({item("rgl", "steel_1", "measured", "steel"), item("copy", "steel_1", "close copy", "steel"),
+                    item("chrome", "chrome", "close copy", "chrome"), item("fit", "steel_1", "model fit", "steel")});
+    QCOMPARE(idsOf(view), QStringList({"chrome", "rgl"}));
+    QCOMPARE(model.index(0).data().toString(), QStringLiteral("steel 1"));
+    view.search()->setText("model fit");
+    QCOMPARE(idsOf(view), QStringList{"fit"});
+    view.search()->setText("copy");
+    QCOMPARE(idsOf(view), QStringList({"chrome", "copy"}));
+    view.search()->clear();
+    view.setChipsShown(true);
+    view.chips().chip("favourites")->setChecked(true);
+    QCOMPARE(idsOf(view), QStringList());
+    model.setNote("fit", {.favourite = true});
+    QCOMPARE(idsOf(view), QStringList{"fit"});
+    model.setNote("rgl", {.favourite = true});
+    QCOMPARE(idsOf(view), QStringList{"rgl"});
+    view.setChipsShown(false);
+    // The entry stands for the quality that is open.
+    view.selection().select("fit");
+    QCOMPARE(view.selection().ids(), QStringList{"rgl"});
+    QStringList opened;
+    QMenu* menu = libraryMenu({"rgl"}, {},
+                              {.open = [&](const QString& id) { opened << id; },
+                               .qualities = {{"rgl", "measured"}, {"copy", "close copy"}, {"fit", "model fit"}}},
+                              &view);
+    const auto* qualities = menu->findChild<QMenu*>();
+    QCOMPARE(qualities->actions().size(), 3);
+    qualities->actions()[2]->trigger();
+    QCOMPARE(opened, QStringList{"fit"});
+    QCOMPARE(model.qualitiesOf("chrome"), QStringList{"chrome"});
   }
 
   /// By what a material looks like, which is known once it has a thumbnail.

@@ -9,6 +9,7 @@
 #include "core/rendering/error_maps.h"
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
+#include "widgets/preview/gl/preview_renderer.h"
 
 namespace preview_display_test {
 using namespace gonio;

@@ -17,7 +17,7 @@ CollapsibleSection::CollapsibleSection(const QString& title, QWidget* content, Q
   m_header->setAutoRaise(true);
   m_header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   m_header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  m_header->setIcon(glyphIcon(Glyph::expanded));
+  m_header->setIcon(themedIcon(QStringLiteral("expanded")));
   m_header->setFocusPolicy(Qt::StrongFocus);
   m_header->setObjectName(QStringLiteral("sectionHeader"));
   QFont bold = font();
@@ -31,7 +31,7 @@ CollapsibleSection::CollapsibleSection(const QString& title, QWidget* content, Q
   layout->addWidget(m_content);
   connect(m_header, &QToolButton::toggled, this, [this](bool expanded) {
     m_content->setVisible(expanded);
-    m_header->setIcon(glyphIcon(expanded ? Glyph::expanded : Glyph::collapsed));
+    m_header->setIcon(themedIcon(expanded ? QStringLiteral("expanded") : QStringLiteral("collapsed")));
     Q_EMIT expandedChanged(expanded);
   });
 }

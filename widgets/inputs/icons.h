@@ -7,28 +7,13 @@
 
 namespace gonio::widgets {
 
-enum class Glyph {
-  reset,
-  collapsed,
-  expanded,
-  search,
-  close,
-  passed,
-  warning,
-  note,
-  pending,
-  shown,
-  hidden,
-  sliders,
-  curves,
-  blend
-};
-
-/// A small icon, drawn in the palette's text colour when it is painted, so that it is sharp at any scale and follows
-/// the theme.
-QIcon glyphIcon(Glyph glyph);
+/// An icon of resources/icons by the name of its file. It is drawn in the palette's text colour when it is painted
+/// (that of selected text in a selected row), so that it is sharp at any scale and follows the theme. Precondition:
+/// hasIcon(name).
+QIcon themedIcon(const QString& name);
 /// The same with the painter's pen, in a rectangle.
-void paintGlyph(QPainter& painter, Glyph glyph, const QRectF& rect);
+void paintIcon(QPainter& painter, const QString& name, const QRectF& rect);
+bool hasIcon(const QString& name);
 
 /// A pixmap scaled to a size with the same aspect ratio, averaged over areas (unlike painting a large pixmap small).
 /// Cached, so that it can be called in every paint event.

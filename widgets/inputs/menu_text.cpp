@@ -15,6 +15,8 @@ QString oneLine(QString text) {
   return text.size() <= longest ? text : text.left(longest / 2) + QChar(0x2026) + text.right(longest / 2);
 }
 
+QString spacedName(QString name) { return name.replace(u'_', u' '); }
+
 QString menuText(const QString& name) { return oneLine(name).replace('&', QStringLiteral("&&")); }
 
 QString withoutKeyMarks(const QString& menuText) {

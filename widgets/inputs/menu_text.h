@@ -9,6 +9,9 @@ namespace gonio::widgets {
 /// A text with spaces for line breaks and control characters, shortened in the middle if it is long.
 QString oneLine(QString text);
 
+/// The name of a material or file for display: spaces for underscores.
+QString spacedName(QString name);
+
 /// A name as the text of a menu entry or a button, on one line; '&' marks no key.
 QString menuText(const QString& name);
 

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/inputs/icons.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/interpolation/sphere_picture.h"
 #include "widgets/library/material_drag.h"
 
@@ -30,7 +31,7 @@ MaterialSlotWidget::MaterialSlotWidget(QChar letter, QWidget* parent)
       m_current(addButton(tr("Current"), tr("Uses the open material with its current edits"))),
       m_file(addButton(tr("File..."), tr("Opens a material file or a document"))),
       m_clear(addButton({}, {})) {
-  m_clear->setIcon(glyphIcon(Glyph::close));
+  m_clear->setIcon(themedIcon(QStringLiteral("close")));
   m_clear->setAutoRaise(true);
   connect(m_current, &QToolButton::clicked, this, &MaterialSlotWidget::currentRequested);
   connect(m_file, &QToolButton::clicked, this, &MaterialSlotWidget::fileRequested);
@@ -78,7 +79,7 @@ void MaterialSlotWidget::setContent(const SlotContent& content) {
                                       : tr("%1\nDrop another one here to replace it").arg(content.toolTip));
   m_clear->setVisible(!content.name.isEmpty() || content.failed || content.removable);
   m_clear->setToolTip(content.removable ? tr("Removes this slot") : tr("Empties this slot"));
-  const QString what = content.name.isEmpty() ? tr("empty") : content.name;
+  const QString what = content.name.isEmpty() ? tr("empty") : spacedName(content.name);
   setAccessibleName(tr("Material %1: %2").arg(m_letter).arg(what));
   setAccessibleDescription(content.note);
   m_current->setAccessibleName(tr("Material %1: use the open material").arg(m_letter));
@@ -100,7 +101,7 @@ void MaterialSlotWidget::setCurrentAvailable(bool available) { m_current->setEna
 void MaterialSlotWidget::showTexts() {
   const bool empty = m_content.name.isEmpty();
   const int room = std::max(20, width() - m_picture->width() - 3 * fontMetrics().height() / 2);
-  const QString name = tr("%1  %2").arg(m_letter).arg(!empty                     ? m_content.name
+  const QString name = tr("%1  %2").arg(m_letter).arg(!empty                     ? spacedName(m_content.name)
                                                       : m_content.note.isEmpty() ? tr("empty")
                                                                                  : QString());
   m_name->setText(fontMetrics().elidedText(name, Qt::ElideMiddle, room));
@@ -156,7 +157,7 @@ void MaterialSlotWidget::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(QPalette::Text));
   const double side = fontMetrics().height() * 1.4;
   const QPointF centre = QRectF(m_picture->geometry()).center();
-  paintGlyph(painter, Glyph::warning, {centre.x() - side / 2, centre.y() - side / 2, side, side});
+  paintIcon(painter, QStringLiteral("warning"), {centre.x() - side / 2, centre.y() - side / 2, side, side});
 }
 
 }  // namespace gonio::widgets

@@ -33,6 +33,8 @@ QStringList termsOf(const QString& text) {
 LibraryOrder::LibraryOrder(LibraryModel* model, QObject* parent) : QSortFilterProxyModel(parent), m_model(model) {
   setSourceModel(model);
   setSortCaseSensitivity(Qt::CaseInsensitive);
+  // A note may change which quality of a material matches.
+  connect(model, &LibraryModel::notesChanged, this, [this] { invalidateFilter(); });
 }
 
 void LibraryOrder::setGrouping(LibraryGrouping grouping) {
@@ -79,13 +81,19 @@ bool LibraryOrder::matches(int row) const {
   });
 }
 
+bool LibraryOrder::isBest(int row) const {
+  if (!matches(row)) return false;
+  const std::vector<int> qualities = m_model->qualities(row);
+  return *std::ranges::find_if(qualities, [&](int other) { return other == row || matches(other); }) == row;
+}
+
 bool LibraryOrder::filterAcceptsRow(int row, const QModelIndex&) const {
   const LibraryGrouping heading = m_model->headingOf(row);
-  if (heading == LibraryGrouping::none) return matches(row);
+  if (heading == LibraryGrouping::none) return isBest(row);
   if (heading != m_grouping) return false;
   const QString title = m_model->group(row, heading);
   for (int other = 0; other < m_model->rowCount(); ++other)
-    if (m_model->headingOf(other) == LibraryGrouping::none && m_model->group(other, heading) == title && matches(other))
+    if (m_model->headingOf(other) == LibraryGrouping::none && m_model->group(other, heading) == title && isBest(other))
       return true;
   return false;
 }

@@ -21,7 +21,8 @@ struct LibraryFilter {
   bool operator==(const LibraryFilter&) const = default;
 };
 
-/// The materials that match a search, in groups below their headings, sorted inside each group.
+/// The materials that match a search, each in its best quality that matches, in groups below their headings, sorted
+/// inside each group.
 class LibraryOrder : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -40,6 +41,8 @@ class LibraryOrder : public QSortFilterProxyModel {
 
  private:
   bool matches(int row) const;
+  /// Whether no better quality of the same material matches.
+  bool isBest(int row) const;
 
   LibraryModel* m_model;
   LibraryGrouping m_grouping = LibraryGrouping::none;

@@ -12,6 +12,7 @@
 #include "core/math/colour.h"
 #include "core/metrics/brdf_metric.h"
 #include "core/rendering/tone_map.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/material_drag.h"
 
@@ -66,6 +67,7 @@ void LibraryModel::beginListing() {
   beginResetModel();
   m_entries.clear();
   m_headings.clear();
+  m_qualities.clear();
   m_listing = true;
   endResetModel();
 }
@@ -77,10 +79,12 @@ void LibraryModel::setItems(std::vector<LibraryItem> items) {
   for (Entry& entry : m_entries) before.emplace(entry.item.id, std::move(entry));
   m_entries.clear();
   m_headings.clear();
+  m_qualities.clear();
   QStringList sources, kinds;
   for (LibraryItem& item : items) {
     if (!sources.contains(item.source)) sources << item.source;
     if (!kinds.contains(item.kind)) kinds << item.kind;
+    if (!item.material.isEmpty()) m_qualities[item.material].push_back(int(m_entries.size()));
     const auto known = before.find(item.id);
     Entry entry =
         known != before.end() && known->second.item.version == item.version ? std::move(known->second) : Entry{};
@@ -120,6 +124,23 @@ int LibraryModel::groupRank(int row, LibraryGrouping grouping) const {
   const auto found = std::find_if(m_headings.begin(), m_headings.end(),
                                   [&](const Heading& one) { return one.grouping == grouping && one.title == title; });
   return int(found - m_headings.begin());
+}
+
+std::vector<int> LibraryModel::qualities(int row) const {
+  const QString material = heading(row) ? QString() : m_entries[std::size_t(row)].item.material;
+  return material.isEmpty() ? std::vector{row} : m_qualities.value(material);
+}
+
+QStringList LibraryModel::qualitiesOf(const QString& id) const {
+  QStringList ids;
+  if (const int row = find(id); row >= 0)
+    for (const int other : qualities(row)) ids << m_entries[std::size_t(other)].item.id;
+  return ids;
+}
+
+QString LibraryModel::badge(const QString& id) const {
+  const int row = find(id);
+  return row < 0 ? QString() : m_entries[std::size_t(row)].item.badge;
 }
 
 int LibraryModel::find(const QString& id) const {
@@ -194,8 +215,8 @@ QStringList LibraryModel::tags() const {
 
 QString LibraryModel::toolTip(const Entry& entry) const {
   QStringList lines;
-  if (!entry.item.toolTip.contains(entry.item.name))
-    lines << QStringLiteral("<b>%1</b>").arg(entry.item.name.toHtmlEscaped());
+  if (const QString name = spacedName(entry.item.name); !spacedName(entry.item.toolTip).contains(name))
+    lines << QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped());
   lines << entry.item.toolTip.toHtmlEscaped();
   const LibraryNote note = m_notes.value(entry.item.id);
   if (note.rating > 0) lines << tr("Rating: %1 of %2").arg(note.rating).arg(LibraryNote::maxRating);
@@ -271,7 +292,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   const Entry& entry = m_entries[std::size_t(index.row())];
   switch (role) {
     case Qt::DisplayRole:
-      return entry.item.name;
+      return spacedName(entry.item.name);
     case Qt::DecorationRole:
       return entry.pixmap.isNull() ? QVariant() : entry.pixmap;
     case richToolTipRole:

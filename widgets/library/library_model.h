@@ -38,14 +38,15 @@ QStringList tagsOf(const QString& text);
 
 /// A material that can be opened from the library.
 struct LibraryItem {
-  QString id;  ///< argument for opening it: a path, or "library:sgd/chrome"
-  QString name;
+  QString id;                 ///< argument for opening it: a path, or "library:sgd/chrome"
+  QString name;               ///< shown with spaces for underscores
   QString toolTip;            ///< the format, and what the material is
   QString badge = {};         ///< one or two words on the picture, e.g. "measured"
   QString source = {};        ///< heading of its group by source; empty: none
   QString kind = {};          ///< heading of its group by kind, also used in searches, e.g. "Metal"
   qint64 version = 0;         ///< changes with the content, which invalidates the thumbnail
   QString badgeMeaning = {};  ///< one sentence that explains the badge
+  QString material = {};      ///< items of one material in several qualities have it in common; empty: there is one
 };
 
 enum class LibraryGrouping { none, source, kind };
@@ -57,7 +58,8 @@ struct LibraryThumbnail {
   double roughness = 0;  ///< width of the highlight, GGX alpha
 };
 
-/// The rows of a library: one per material, then one per heading. Other objects render the thumbnails and set them.
+/// The rows of a library: one per item, the best quality of a material first, then one per heading. Other objects
+/// render the thumbnails and set them.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -111,6 +113,11 @@ class LibraryModel : public QAbstractListModel {
   /// The heading of a row's group, by which groups are sorted; "" if there is none.
   QString group(int row, LibraryGrouping grouping) const;
   int groupRank(int row, LibraryGrouping grouping) const;
+  /// The rows of all qualities of a row's material, the best one first; the row alone if there are no others.
+  std::vector<int> qualities(int row) const;
+  /// The ids of these rows; empty for an unknown id.
+  QStringList qualitiesOf(const QString& id) const;
+  QString badge(const QString& id) const;
 
   int materialCount() const { return int(m_entries.size()); }
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -144,6 +151,7 @@ class LibraryModel : public QAbstractListModel {
 
   std::vector<Entry> m_entries;
   std::vector<Heading> m_headings;
+  QHash<QString, std::vector<int>> m_qualities;  ///< rows by LibraryItem::material
   LibraryNotes m_notes;
   bool m_listing = false;
   struct Reference {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/inputs/menu_text.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/quick_look.h"
@@ -23,6 +24,10 @@ void addForOne(QMenu& menu, const QString& id, const LibraryActions& actions) {
   add(QMenu::tr("&Open"), Qt::Key_Return, actions.open);
   add(QMenu::tr("&Quick Look"), Qt::Key_Space, actions.look);
   add(QMenu::tr("&Compare with This"), Qt::CTRL | Qt::Key_Return, actions.compare);
+  if (actions.qualities.size() < 2) return;
+  QMenu* qualities = menu.addMenu(QMenu::tr("Open &Quality"));
+  for (const auto& [other, name] : actions.qualities)
+    qualities->addAction(menuText(name), qualities, [work = actions.open, other = other] { work(other); });
 }
 
 void addRatings(QMenu& menu, const QStringList& ids, int rating, const LibraryActions& actions) {
@@ -92,9 +97,11 @@ void LibrarySelection::restore() {
   for (int row = 0; row < model.rowCount(); ++row) {
     const QModelIndex index = model.index(row, 0);
     const QString id = index.data(LibraryModel::IdRole).toString();
-    if (missing.removeAll(id) == 0) continue;
+    // The entry of a material stands for all its qualities.
+    const QStringList shown = m_model.qualitiesOf(id);
+    if (missing.removeIf([&](const QString& one) { return shown.contains(one); }) == 0) continue;
     m_list.selectionModel()->select(index, QItemSelectionModel::Select);
-    if (id != wanted.front()) continue;
+    if (!shown.contains(wanted.front())) continue;
     m_list.selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
     m_list.scrollTo(index);
   }
@@ -161,6 +168,7 @@ void LibrarySelection::showMenu(const QPoint& position) {
   LibraryActions actions{.open = [this](const QString& id) { Q_EMIT openRequested(id); },
                          .look = [this](const QString&) { toggleLook(); },
                          .compare = [this](const QString& id) { Q_EMIT referenceRequested(id); },
+                         .qualities = qualities(ids.front()),
                          .favour = [this](const QStringList& all, bool on) { setFavourites(all, on); },
                          .rate = [this](const QStringList& all, int rating) { setRating(all, rating); },
                          .tag = [this](const QStringList& all) { editTags(all); }};
@@ -171,6 +179,12 @@ void LibrarySelection::showMenu(const QPoint& position) {
     actions.exportAll = [this](const QStringList& all) { Q_EMIT exportRequested(all); };
   }
   libraryMenu(ids, common(ids), actions, &m_list)->popup(m_list.viewport()->mapToGlobal(position));
+}
+
+std::vector<LibraryActions::Quality> LibrarySelection::qualities(const QString& id) const {
+  std::vector<LibraryActions::Quality> all;
+  for (const QString& other : m_model.qualitiesOf(id)) all.push_back({other, m_model.badge(other)});
+  return all;
 }
 
 void LibrarySelection::toggleLook() { m_look->isVisible() ? m_look->hide() : showLook(); }

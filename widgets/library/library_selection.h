@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QStringList>
 #include <functional>
+#include <vector>
 
 class QListView;
 
@@ -16,7 +17,12 @@ struct LibraryActions {
   using One = std::function<void(const QString& id)>;
   using Several = std::function<void(const QStringList& ids)>;
 
+  struct Quality {
+    QString id, name;  ///< name: e.g. "measured"
+  };
+
   One open, look, compare;
+  std::vector<Quality> qualities;         ///< of one material, if there are several, to open
   Several comparePair;                    ///< of two ids
   Several interpolate, study, exportAll;  ///< study: of two or more ids
   std::function<void(const QStringList& ids, bool favourite)> favour;
@@ -87,6 +93,7 @@ class LibrarySelection : public QObject {
   /// Asks the user for tags, initially those common to all.
   void editTags(const QStringList& ids);
   CommonNotes common(const QStringList& ids) const;
+  std::vector<LibraryActions::Quality> qualities(const QString& id) const;
   void toggleLook();
   void showLook();
 

@@ -18,6 +18,7 @@
 
 #include "core/math/types.h"
 #include "widgets/inputs/icons.h"
+#include "widgets/inputs/text_sizes.h"
 #include "widgets/library/library_chips.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_selection.h"
@@ -43,11 +44,10 @@ void paintPlaceholder(QPainter& painter, const QRectF& area, QColor colour, bool
   painter.drawLine(middle - across, middle + across);
 }
 
-/// The name with spaces for underscores, in at most two lines: "blue-metallic-paint" may break after a hyphen. What has
+/// The name in at most two lines: "blue-metallic-paint" may break after a hyphen. What has
 /// no room is left out in the middle: the end of a name, such as ", rougher", distinguishes it.
 QString shownName(QString name, const QFontMetrics& metrics, int width) {
   constexpr double usedWidth = 1.7;  // of two lines: words leave some of the first one empty
-  name.replace('_', ' ');
   return metrics.elidedText(name, Qt::ElideMiddle, int(usedWidth * width))
       .replace('-', QStringLiteral("-") + QChar(0x200b));
 }
@@ -80,14 +80,9 @@ void paintPill(QPainter& painter, const QStyleOptionViewItem& option, const QRec
   painter.drawText(pill, Qt::AlignCenter, text);
 }
 
-QFont badgeFont(QFont font) {
-  font.setPointSizeF(font.pointSizeF() * 0.78);
-  return font;
-}
-
 /// A quiet word below the name.
 void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line, const QString& badge) {
-  const QFont font = badgeFont(option.font);
+  const QFont font = sized(option.font, TextSize::small);
   painter.setFont(font);
   painter.setPen(option.palette.color(QPalette::PlaceholderText));
   painter.drawText(line, Qt::AlignHCenter | Qt::AlignTop,
@@ -126,7 +121,7 @@ QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     return {width, option.fontMetrics.height() + 3 * margin};
   }
   return {m_tile + 2 * margin, m_tile + labelLines * option.fontMetrics.height() +
-                                   QFontMetrics(badgeFont(option.font)).height() + 3 * margin};
+                                   QFontMetrics(sized(option.font, TextSize::small)).height() + 3 * margin};
 }
 
 void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -230,7 +225,7 @@ void LibraryView::buildControls() {
   m_search->setPlaceholderText(tr("Search materials"));
   m_search->setAccessibleName(tr("Search materials"));
   m_search->setClearButtonEnabled(true);
-  m_search->addAction(glyphIcon(Glyph::search), QLineEdit::LeadingPosition);
+  m_search->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   m_search->installEventFilter(this);
   connect(m_search, &QLineEdit::textChanged, this, [this](const QString& text) {
     m_proxy->setSearch(text);

@@ -4,6 +4,8 @@
 
 #include <QPainter>
 
+#include "widgets/inputs/text_sizes.h"
+
 namespace gonio::widgets {
 
 DropOverlay::DropOverlay(QWidget* target) : QWidget(target) {
@@ -27,9 +29,7 @@ void DropOverlay::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), veil);
   painter.setPen(QPen(palette().color(QPalette::Highlight), 3));
   painter.drawRoundedRect(QRectF(rect()).adjusted(8, 8, -8, -8), 8, 8);
-  QFont large = font();
-  large.setPointSizeF(large.pointSizeF() * 1.5);
-  painter.setFont(large);
+  painter.setFont(sized(font(), TextSize::large));
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap, m_text);
 }

@@ -38,7 +38,7 @@ EditRow::EditRow(QWidget* parent)
     button->setFocusPolicy(Qt::StrongFocus);
   }
   m_eye->setCheckable(true);
-  m_delete->setIcon(glyphIcon(Glyph::close));
+  m_delete->setIcon(themedIcon(QStringLiteral("close")));
   m_delete->setToolTip(tr("Deletes this edit"));
   m_name->setTextFormat(Qt::PlainText);
   m_name->setMinimumWidth(1);  // a long name must not widen the whole inspector
@@ -97,7 +97,7 @@ void EditRow::show(const EditEntry& entry) {
   elideName();
   m_name->setToolTip(entry.toolTip);
   m_name->setEnabled(entry.enabled);
-  m_eye->setIcon(glyphIcon(entry.enabled ? Glyph::shown : Glyph::hidden));
+  m_eye->setIcon(themedIcon(entry.enabled ? QStringLiteral("shown") : QStringLiteral("hidden")));
   m_eye->setToolTip(entry.enabled ? tr("Excludes this edit from the image, the checks and exports")
                                   : tr("Includes this edit again"));
   m_eye->setAccessibleName(tr("%1 enabled").arg(entry.name));
@@ -125,7 +125,7 @@ void EditRow::endRename() {
 
 void EditRow::elideName() {
   if (!m_described) return;
-  m_name->setText(m_name->fontMetrics().elidedText(m_described->name, Qt::ElideRight, std::max(1, m_name->width())));
+  m_name->setText(m_name->fontMetrics().elidedText(m_described->name, Qt::ElideMiddle, std::max(1, m_name->width())));
 }
 
 bool EditRow::eventFilter(QObject* watched, QEvent* event) {

@@ -23,7 +23,7 @@ MessageBar::MessageBar(QWidget* parent)
   m_text->setWordWrap(true);
   m_text->setMinimumWidth(1);  // a long name must not widen the window
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_close->setIcon(glyphIcon(Glyph::close));
+  m_close->setIcon(themedIcon(QStringLiteral("close")));
   m_close->setAutoRaise(true);
   m_close->setToolTip(tr("Dismiss"));
   m_close->setAccessibleName(tr("Dismiss the message"));

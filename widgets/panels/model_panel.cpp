@@ -112,7 +112,7 @@ CostLine::CostLine(QWidget* parent) : QWidget(parent), m_line(new QToolButton(th
   m_line->setCheckable(true);
   m_line->setAutoRaise(true);
   m_line->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  m_line->setIcon(glyphIcon(Glyph::collapsed));
+  m_line->setIcon(themedIcon(QStringLiteral("collapsed")));
   m_line->setFocusPolicy(Qt::StrongFocus);
   m_line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   m_line->setToolTip(
@@ -129,7 +129,7 @@ CostLine::CostLine(QWidget* parent) : QWidget(parent), m_line(new QToolButton(th
   layout->addWidget(m_line);
   layout->addWidget(m_details);
   connect(m_line, &QToolButton::toggled, this, [this](bool open) {
-    m_line->setIcon(glyphIcon(open ? Glyph::expanded : Glyph::collapsed));
+    m_line->setIcon(themedIcon(open ? QStringLiteral("expanded") : QStringLiteral("collapsed")));
     m_details->setVisible(open);
   });
   setCosts({}, {});

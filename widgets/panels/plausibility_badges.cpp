@@ -63,11 +63,11 @@ void PlausibilityBadge::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(frame, frame.height() / 2, frame.height() / 2);
   const double line = fontMetrics().height() * 0.85;
   painter.setPen(colour);
-  const Glyph glyph = m_state == State::passed     ? Glyph::passed
-                      : m_state == State::failed   ? Glyph::warning
-                      : m_state == State::inherent ? Glyph::note
-                                                   : Glyph::pending;
-  paintGlyph(painter, glyph, QRectF(line * 0.6, (height() - line) / 2, line, line));
+  const char* icon = m_state == State::passed     ? "passed"
+                     : m_state == State::failed   ? "warning"
+                     : m_state == State::inherent ? "note"
+                                                  : "pending";
+  paintIcon(painter, QString::fromLatin1(icon), QRectF(line * 0.6, (height() - line) / 2, line, line));
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRectF(line * 1.9, 0, width() - line * 2.2, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
 }

@@ -58,7 +58,7 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
   m_field->setRange(spec.hardMin, spec.hardMax);
   showUnit();
   m_field->setStep((spec.softMax - spec.softMin) * fieldStepFraction);
-  m_reset->setIcon(glyphIcon(Glyph::reset));
+  m_reset->setIcon(themedIcon(QStringLiteral("reset")));
   m_reset->setAutoRaise(true);
   m_reset->setFocusPolicy(Qt::TabFocus);
   QSizePolicy policy = m_reset->sizePolicy();

@@ -79,7 +79,7 @@ void ParameterRow::buildChannels() {
   m_disclosure = new QToolButton(this);
   m_disclosure->setCheckable(true);
   m_disclosure->setAutoRaise(true);
-  m_disclosure->setIcon(glyphIcon(Glyph::collapsed));
+  m_disclosure->setIcon(themedIcon(QStringLiteral("collapsed")));
   m_disclosure->setToolTip(tr("Shows the red, green and blue values"));
   m_disclosure->setAccessibleName(tr("Channels of %1").arg(toQString(m_spec->label)));
   m_line->setLeading(m_disclosure);
@@ -178,7 +178,7 @@ void ParameterRow::refresh() {
 }
 
 void ParameterRow::setChannelsShown(bool shown) {
-  m_disclosure->setIcon(glyphIcon(shown ? Glyph::expanded : Glyph::collapsed));
+  m_disclosure->setIcon(themedIcon(shown ? QStringLiteral("expanded") : QStringLiteral("collapsed")));
   for (ParameterLine* line : m_channels) line->setVisible(shown);
 }
 

@@ -13,6 +13,7 @@
 #include <QStandardItemModel>
 #include <QToolButton>
 
+#include "widgets/inputs/icons.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/library/material_drag.h"
 
@@ -50,17 +51,20 @@ QWidget* ComparisonBar::buildModes() {
   layout->setSpacing(2);
   layout->addWidget(new QLabel(tr("Compare"), row));
   m_modes = new QButtonGroup(row);
-  const std::tuple<CompareMode, QString, QString> modes[] = {
-      {CompareMode::off, tr("Off"), tr("Shows one image")},
-      {CompareMode::split, tr("Split"),
+  const std::tuple<CompareMode, const char*, QString, QString> modes[] = {
+      {CompareMode::off, "one", tr("Off"), tr("Shows one image")},
+      {CompareMode::split, "split", tr("Split"),
        tr("Shows the first side left and the second side right of a bar; drag the bar to move the split")},
-      {CompareMode::flicker, tr("Flicker"),
+      {CompareMode::flicker, "flicker", tr("Flicker"),
        tr("Shows the first side, and the second side while \\ or the button is held")},
-      {CompareMode::difference, tr("Difference"), tr("Shows the luminance difference in false colour")},
-      {CompareMode::twoUp, tr("Side by side"), tr("Shows both sides next to each other, with the same camera")}};
-  for (const auto& [mode, text, toolTip] : modes) {
+      {CompareMode::difference, "difference", tr("Difference"), tr("Shows the luminance difference in false colour")},
+      {CompareMode::twoUp, "side-by-side", tr("Side by side"),
+       tr("Shows both sides next to each other, with the same camera")}};
+  for (const auto& [mode, icon, text, toolTip] : modes) {
     auto* button = new QToolButton(row);
     button->setText(text);
+    button->setIcon(themedIcon(QString::fromLatin1(icon)));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setToolTip(mode == CompareMode::off ? toolTip : tr("%1 (C switches it on and off)").arg(toolTip));
     button->setCheckable(true);
     button->setAutoRaise(true);
@@ -93,7 +97,7 @@ QWidget* ComparisonBar::buildSides() {
     if (side == 0) layout->addWidget(new QLabel(tr("against"), row));
   }
   auto* swap = new QToolButton(row);
-  swap->setText(QStringLiteral("⇄"));
+  swap->setIcon(themedIcon(QStringLiteral("exchange")));
   swap->setToolTip(tr("Exchanges the sides"));
   swap->setAccessibleName(tr("Exchange the sides"));
   swap->setAutoRaise(true);

@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/study/contact_sheet.h"
 
+#include <QBuffer>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPageSize>
 #include <QPainter>
+#include <QPdfWriter>
 #include <algorithm>
 
 #include "widgets/inputs/icons.h"
@@ -13,7 +16,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int textLines = 5, maxSelected = 2;
+constexpr int textLines = 5, nameLines = 2, maxSelected = 2;
 }
 
 /// Where things stand, in pixels of the drawing.
@@ -92,9 +95,41 @@ void ContactSheet::toggle(int tile) {
   Q_EMIT selectionChanged();
 }
 
+namespace {
+
+QFont fontFor(QFont font, int tileSide) {
+  font.setPixelSize(std::max(8, tileSide / 14));
+  return font;
+}
+
+/// As much of a text as has room in some lines; its ends distinguish it, so the middle is left out.
+QString fitting(const QPainter& painter, const QString& text, int width, int lines) {
+  constexpr double used = 0.85;  // words leave some of each line empty
+  return painter.fontMetrics().elidedText(text, Qt::ElideMiddle, int(used * lines * width));
+}
+
+}  // namespace
+
+QByteArray ContactSheet::pdf(int tileSide, int columns) const {
+  const QFont large = fontFor(font(), tileSide);
+  const Layout layout = layoutFor(tileSide, columns, large);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  constexpr int pointsPerInch = 72;
+  writer.setResolution(pointsPerInch);
+  writer.setPageSize(QPageSize(QSizeF(layout.size()), QPageSize::Point));
+  writer.setPageMargins({});
+  QPainter painter(&writer);
+  painter.setFont(large);
+  draw(painter, layout, Qt::black);
+  painter.end();
+  return bytes;
+}
+
 QImage ContactSheet::picture(int tileSide, int columns) const {
-  QFont large = font();
-  large.setPixelSize(std::max(8, tileSide / 14));
+  const QFont large = fontFor(font(), tileSide);
   const Layout layout = layoutFor(tileSide, columns, large);
   QImage image(layout.size(), QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -139,11 +174,13 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
   painter.setFont(bold);
   const int textTop = place.bottom() + 1 - textLines * layout.line;
   QRect drawn;
-  painter.drawText(QRect(place.left(), textTop, layout.side, 2 * layout.line),
-                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, tile.name, &drawn);
+  painter.drawText(QRect(place.left(), textTop, layout.side, nameLines * layout.line),
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
+                   fitting(painter, tile.name, layout.side, nameLines), &drawn);
   painter.setFont(plain);
   painter.drawText(QRect(place.left(), drawn.bottom() + 1, layout.side, place.bottom() - drawn.bottom()),
-                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, tile.numbers);
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
+                   fitting(painter, tile.numbers, layout.side, textLines - nameLines));
 }
 
 /// Where a picture is still to come.
@@ -164,8 +201,16 @@ void ContactSheet::drawScale(QPainter& painter, const Layout& layout) const {
   drawColourBar(painter, bar, DifferenceKind::absolute);
   const QRect text(bar.left(), bar.bottom() + 2, bar.width(), layout.line);
   painter.drawText(text, Qt::AlignLeft, QStringLiteral("0"));
-  painter.drawText(text, Qt::AlignHCenter, differenceTitle(DifferenceKind::absolute));
-  painter.drawText(text, Qt::AlignRight, tr("≥ %1").arg(differenceNumber(DifferenceKind::absolute, m_range)));
+  const QString largest = tr("≥ %1").arg(differenceNumber(DifferenceKind::absolute, m_range));
+  painter.drawText(text, Qt::AlignRight, largest);
+  // Between the numbers where it has room, else below them.
+  const QString title = differenceTitle(DifferenceKind::absolute);
+  const QFontMetrics metrics = painter.fontMetrics();
+  if (metrics.horizontalAdvance(title) + 2 * metrics.horizontalAdvance(largest + QStringLiteral("  ")) <= bar.width())
+    return painter.drawText(text, Qt::AlignHCenter, title);
+  const int room = layout.size().width() - 2 * layout.gap;
+  painter.drawText(QRect(layout.gap, text.bottom() + 1, room, layout.line), Qt::AlignLeft,
+                   metrics.elidedText(title, Qt::ElideRight, room));
 }
 
 void ContactSheet::paintEvent(QPaintEvent*) {

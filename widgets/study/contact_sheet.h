@@ -40,6 +40,8 @@ class ContactSheet : public QWidget {
 
   /// The whole sheet on white, without the selection.
   QImage picture(int tileSide, int columns) const;
+  /// The same as a PDF file of one page, with texts as text. @param tileSide in points.
+  QByteArray pdf(int tileSide, int columns) const;
 
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;

@@ -199,16 +199,14 @@ void DocumentController::compareWithSeveralLobes(const fitting::FitResult& singl
       [material = m_document.material(), &model](const TaskControl& control) {
         return fitting::fit(material->fitBase(control), model, {}, control);
       },
-      [=, this, &model = *single.model, error = single.errors.front()](const fitting::FitResult& fit) {
+      [this, name, before, &model = *single.model, error = single.errors.front()](const fitting::FitResult& fit) {
         if (fit.cancelled) return;
         m_document.rememberFit(fit);
         const auto* active = m_document.active<editing::DifferentialEdit>();
         if (!active || active->model != &model || !(fit.errors.front() < muchCloser * error)) return;
         m_proposal = fit;
         Q_EMIT proposalOffered(
-            tr("The model \"%1\" fits this material better than \"%2\": log error %3 instead of %4. "
-               "Use it for this edit?")
-                .arg(name, before, widgets::formatNumber(fit.errors.front()), widgets::formatNumber(error)));
+            tr("%1 matches this material more closely than %2. Use it for this edit?").arg(name, before));
       },
       [](const QString&) {});
 }

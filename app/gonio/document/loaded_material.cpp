@@ -89,8 +89,8 @@ QString sourceKind(const LoadedMaterial& loaded) {
   const auto text = [](const char* kind) { return QCoreApplication::translate("LoadedMaterial", kind); };
   if (loaded.blend) return text("Blend");
   if (loaded.material.source.path.parent_path() == reconstructionFolder().toStdString()) return text("Reconstruction");
-  if (loaded.material.source.format == materials::nearMeasuredFormat) return text("Near-measured");
-  return loaded.material.source.format == materials::sgdFormat ? text("Published fit") : text("Measured");
+  if (loaded.material.source.format == materials::nearMeasuredFormat) return text("Close copy");
+  return loaded.material.source.format == materials::sgdFormat ? text("Model fit") : text("Measured");
 }
 
 }  // namespace gonio::app

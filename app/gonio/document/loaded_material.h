@@ -65,8 +65,8 @@ LoadedMaterialPtr loadSource(const documents::EditDocument& document, const Task
 LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<const documents::BlendSource> blend,
                                const TaskControl& control = {});
 
-/// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Near-measured", "Published
-/// fit", "Reconstruction" or "Blend".
+/// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Close copy"
+/// (near-measured), "Model fit" (published), "Reconstruction" or "Blend".
 QString sourceKind(const LoadedMaterial& material);
 /// Where the acquisition workspace stores the materials that it opens.
 QString reconstructionFolder();

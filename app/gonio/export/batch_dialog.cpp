@@ -18,6 +18,7 @@
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/export/export_controller.h"
 #include "widgets/inputs/dialogs.h"
+#include "widgets/inputs/icons.h"
 #include "widgets/inputs/menu_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -41,7 +42,7 @@ BatchDialog::BatchDialog(ExportController& controller, QSettings& settings, cons
 void BatchDialog::build() {
   m_targets = new QComboBox;
   for (const exports::ExportTarget& target : exports::exportTargets())
-    m_targets->addItem(widgets::toQString(target.label));
+    m_targets->addItem(widgets::themedIcon(widgets::toQString(target.icon)), widgets::toQString(target.label));
   m_snr = exportSnrField();
   m_folder = new QLineEdit;
   m_folder->setMinimumWidth(fontMetrics().averageCharWidth() * 48);
@@ -62,7 +63,7 @@ void BatchDialog::build() {
   form->setVerticalSpacing(fontMetrics().height() / 2);
   form->addRow(tr("&Target"), m_targets);
   form->addRow(QString(), m_description);
-  form->addRow(tr("&Rendered SNR ≥"), m_snr);
+  form->addRow(tr("&Match at least"), m_snr);
   form->addRow(folder, row);
   form->addRow(QString(), m_replace);
   form->addRow(tr("Files"), m_files);

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QLabel>
 
+#include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/thumbnail.h"
 #include "core/documents/blend_source.h"
@@ -25,11 +26,16 @@ QDoubleSpinBox* exportSnrField() {
   auto* field = new QDoubleSpinBox;
   field->setRange(smallest, largest);
   field->setDecimals(0);
-  field->setSuffix(QCoreApplication::translate("export", " dB"));
   field->setKeyboardTracking(false);
-  field->setToolTip(QCoreApplication::translate("export",
-                                                "Rendered SNR that the files should reach; a higher value gives larger "
-                                                "files, and some targets cannot reach it"));
+  field->setToolTip(QCoreApplication::translate(
+      "export",
+      "How close renderings of the files should come to the material, as rendered SNR: from 30 dB they are close, from "
+      "40 dB indistinguishable. A higher value gives larger files, and some targets cannot reach it"));
+  const auto showWord = [field](double snr) {
+    field->setSuffix(QCoreApplication::translate("export", " dB (%1)").arg(matchWord(snr)));
+  };
+  QObject::connect(field, &QDoubleSpinBox::valueChanged, field, showWord);
+  showWord(field->value());
   return field;
 }
 
@@ -44,8 +50,8 @@ QLabel* exportText() {
 
 namespace {
 
-const QString trialKey = QStringLiteral("export-trial");
-constexpr int trialPixels = 288, trialSamples = 32;
+const QString trialKey = QStringLiteral("export-trial"), pictureKey = QStringLiteral("export-picture");
+constexpr int trialPixels = 288, trialSamples = 32, coarsePixels = 96, coarseSamples = 4;
 
 std::vector<std::string> messagesOf(const exports::ExportResult& made) {
   std::vector<std::string> messages = made.losses;
@@ -102,30 +108,95 @@ ExportController::ExportController(Document& document, BackgroundTasks& tasks, Q
   });
 }
 
+bool ExportController::isKnown(const materials::EditedMaterial& material) const {
+  const materials::EditedMaterial& known = m_known.material;
+  return known.base.brdf == material.base.brdf && known.edits == material.edits &&
+         known.incident == material.incident && known.shown.name == material.shown.name;
+}
+
+QImage ExportController::picture(const materials::EditedMaterial& material) const {
+  return isKnown(material) ? m_known.picture : QImage();
+}
+
+ExportTrialPtr ExportController::known(const materials::EditedMaterial& material, const exports::ExportTarget& target,
+                                       double snr) const {
+  const auto found = m_known.trials.find(keyOf(target, snr));
+  return isKnown(material) && found != m_known.trials.end() ? found->second : nullptr;
+}
+
 void ExportController::tryOut(const materials::EditedMaterial& material, const exports::ExportTarget& target,
-                              const exports::ExportOptions& options, const QImage& original,
-                              std::function<void(ExportTrialPtr)> done,
+                              const exports::ExportOptions& options, const std::function<void()>& changed,
                               const std::function<void(const QString&)>& failed) {
+  if (!isKnown(material)) m_known = {.material = material};
+  const Key key = keyOf(target, options.snr);
+  const QString title = tr("Preparing the export for %1").arg(labelOf(target));
+  if (m_known.picture.isNull()) drawCoarse(changed);
+  if (m_known.trials.contains(key)) return refine(key, title, changed, failed);
   m_tasks.run<ExportTrialPtr>(
-      {tr("Preparing the export for %1").arg(labelOf(target)), trialKey},
-      [material, &target, options, original](const TaskControl& control) {
+      {title, trialKey},
+      [material, &target, options](const TaskControl& control) {
         constexpr double madeFraction = 0.8;
         auto trial = std::make_shared<ExportTrial>();
         trial->made = exports::makeExport(target, material, options, control.between(0, madeFraction));
-        trial->original = original.isNull() ? spherePicture(*material.shown.brdf, trialPixels, trialSamples,
-                                                            control.between(madeFraction, 0.9))
-                                            : original;
-        if (trial->made.brdf) {
-          trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 0.95));
-          trial->flip = flipOf(trial->original, trial->exported);
-          trial->cost = study::measureUse(*trial->made.brdf, control.between(0.95, 1));
-        }
+        if (trial->made.brdf) trial->exported = spherePicture(*trial->made.brdf, coarsePixels, coarseSamples);
         return trial;
       },
-      std::move(done), failed, [failed] { failed(tr("The export was cancelled.")); });
+      [this, key, title, changed, failed](const ExportTrialPtr& trial) {
+        m_known.trials[key] = trial;
+        refine(key, title, changed, failed);
+        changed();
+      },
+      failed, [failed] { failed(tr("The export was cancelled.")); });
 }
 
-void ExportController::dropTrial() { m_tasks.drop(trialKey); }
+/// At once, beside the trial.
+void ExportController::drawCoarse(const std::function<void()>& changed) {
+  m_tasks.run<QImage>(
+      {.title = tr("Rendering the material"), .key = pictureKey, .live = true},
+      [brdf = m_known.material.shown.brdf](const TaskControl& control) {
+        return spherePicture(*brdf, coarsePixels, coarseSamples, control);
+      },
+      [this, changed](const QImage& picture) {
+        if (!m_known.isRefined) m_known.picture = picture;
+        changed();
+      });
+}
+
+/// The pictures at their full size, and what they and the files measure.
+void ExportController::refine(const Key& key, const QString& title, const std::function<void()>& changed,
+                              const std::function<void(const QString&)>& failed) {
+  struct Refined {
+    QImage picture;
+    ExportTrialPtr trial;
+  };
+  const QImage known = m_known.isRefined ? m_known.picture : QImage();
+  m_tasks.run<Refined>(
+      {title, trialKey},
+      [brdf = m_known.material.shown.brdf, known, coarse = m_known.trials.at(key)](const TaskControl& control) {
+        const QImage picture =
+            known.isNull() ? spherePicture(*brdf, trialPixels, trialSamples, control.between(0.8, 0.9)) : known;
+        auto trial = std::make_shared<ExportTrial>(*coarse);
+        trial->isRefined = true;
+        if (trial->made.brdf) {
+          trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 0.95));
+          trial->flip = flipOf(picture, trial->exported);
+          trial->cost = study::measureUse(*trial->made.brdf, control.between(0.95, 1));
+        }
+        return Refined{picture, trial};
+      },
+      [this, key, changed](const Refined& refined) {
+        m_known.picture = refined.picture;
+        m_known.isRefined = true;
+        m_known.trials[key] = refined.trial;
+        changed();
+      },
+      failed, [failed] { failed(tr("The export was cancelled.")); });
+}
+
+void ExportController::dropTrial() {
+  m_tasks.drop(trialKey);
+  m_tasks.drop(pictureKey);
+}
 
 std::optional<double> ExportController::trialProgress() const { return m_tasks.progress(trialKey); }
 

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <map>
 #include <optional>
 
 #include "app/gonio/document/background_task.h"
@@ -29,11 +30,12 @@ QDoubleSpinBox* exportSnrField();
 /// A label with text that wraps and can be copied.
 QLabel* exportText();
 
-/// An export in memory, with its pictures.
+/// An export in memory, with its picture.
 struct ExportTrial {
   exports::ExportResult made;
-  QImage original, exported;
-  double flip = 0;                     ///< of the two pictures; NaN: not rendered
+  QImage exported;                     ///< coarse until `isRefined`; null if the target is not rendered
+  bool isRefined = false;              ///< whether the following members are known
+  double flip = 0;                     ///< of the pictures of material and export
   std::optional<study::UseCost> cost;  ///< of ExportResult::brdf
 };
 using ExportTrialPtr = std::shared_ptr<const ExportTrial>;
@@ -57,11 +59,18 @@ class ExportController : public QObject {
   const Document& document() const { return m_document; }
   BackgroundTasks& tasks() { return m_tasks; }
 
-  /// Makes an export of a material (Document::edited()) without writing it; a newer trial replaces an older one.
-  /// @param original the picture of the material of an earlier trial; null: it is rendered.
+  /// Makes an export of a material (Document::edited()) without writing it, coarse pictures first; a newer trial
+  /// replaces an older one that still runs. What is known is kept until a trial of another material or other edits.
+  /// @param changed called whenever picture() or known() has changed.
   void tryOut(const materials::EditedMaterial& material, const exports::ExportTarget& target,
-              const exports::ExportOptions& options, const QImage& original, std::function<void(ExportTrialPtr)> done,
+              const exports::ExportOptions& options, const std::function<void()>& changed,
               const std::function<void(const QString&)>& failed);
+  /// The picture of a material; null if it is not known.
+  QImage picture(const materials::EditedMaterial& material) const;
+  /// The trial of a material; null if it is not known. Targets with the same suffixes have the same files, which are
+  /// made only once.
+  ExportTrialPtr known(const materials::EditedMaterial& material, const exports::ExportTarget& target,
+                       double snr) const;
   void dropTrial();
   /// Progress of the trial, [0, 1]; nullopt if none is running.
   std::optional<double> trialProgress() const;
@@ -94,9 +103,24 @@ class ExportController : public QObject {
   /// Returns the warnings.
   using Writer = std::function<std::vector<std::string>(const TaskControl&)>;
   void writeInBackground(const ExportRequest& request, Writer writer);
+  using Key = std::pair<std::string_view, double>;  ///< first suffix of the target; SNR
+  static Key keyOf(const exports::ExportTarget& target, double snr) { return {target.suffixes.front(), snr}; }
+  bool isKnown(const materials::EditedMaterial& material) const;
+  void drawCoarse(const std::function<void()>& changed);
+  void refine(const Key& key, const QString& title, const std::function<void()>& changed,
+              const std::function<void(const QString&)>& failed);
+
+  /// What is known of one material with its edits.
+  struct Known {
+    materials::EditedMaterial material;
+    QImage picture;
+    bool isRefined = false;  ///< the picture
+    std::map<Key, ExportTrialPtr> trials;
+  };
 
   Document& m_document;
   BackgroundTasks& m_tasks;
+  Known m_known;
   std::optional<ExportRequest> m_last;
   bool m_isKept = false;
   QTimer m_rest;  ///< until the edits have rested

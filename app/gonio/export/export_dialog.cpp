@@ -16,6 +16,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -24,6 +25,7 @@
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/export/export_controller.h"
 #include "widgets/inputs/dialogs.h"
+#include "widgets/inputs/icons.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -65,13 +67,13 @@ void ExportPictures::paintEvent(QPaintEvent*) {
     if (!m_pictures[i].isNull()) painter.drawImage(place, m_pictures[i]);
     const QRect text(place.left(), place.bottom() + 1, side, line);
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(text, Qt::AlignCenter, fontMetrics().elidedText(m_names[i], Qt::ElideRight, side));
+    painter.drawText(text, Qt::AlignCenter, fontMetrics().elidedText(m_names[i], Qt::ElideMiddle, side));
   }
 }
 
 namespace {
 
-constexpr int trialDelayMilliseconds = 300;
+constexpr int trialDelayMilliseconds = 150;
 enum Column { labelColumn, matchColumn, bytesColumn };
 constexpr int targetRole = Qt::UserRole;  ///< index of the target of a row
 
@@ -133,6 +135,9 @@ ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, co
   connect(m_withScene, &QCheckBox::toggled, this, &ExportDialog::showFiles);
   connect(m_name, &QLineEdit::textChanged, this, &ExportDialog::showFiles);
   showTarget();
+  // The first target is made at once: the delay is for keys that pass by targets.
+  m_delay.stop();
+  if (!trial() || !trial()->isRefined) startTrial();
 }
 
 ExportDialog::~ExportDialog() { m_controller.dropTrial(); }
@@ -142,6 +147,8 @@ QWidget* ExportDialog::targetList() {
   m_targets->setHeaderLabels({tr("Target"), tr("Match"), tr("Size")});
   m_targets->setRootIsDecorated(false);
   m_targets->setUniformRowHeights(true);
+  const int line = fontMetrics().height();
+  m_targets->setIconSize({line * 5 / 4, line * 5 / 4});
   m_targets->setAccessibleName(tr("Target"));
   int widest = 0;
   QTreeWidgetItem* group = nullptr;
@@ -150,6 +157,7 @@ QWidget* ExportDialog::targetList() {
     if (i == 0 || targets[i].group != targets[i - 1].group) {
       group = new QTreeWidgetItem(m_targets, {groupTitle(targets[i].group)});
       group->setFlags(Qt::ItemIsEnabled);
+      group->setSizeHint(labelColumn, {0, line * 3 / 2});  // of all rows
       QFont bold = font();
       bold.setBold(true);
       group->setFont(labelColumn, bold);
@@ -158,14 +166,18 @@ QWidget* ExportDialog::targetList() {
     widest = std::max(widest, fontMetrics().horizontalAdvance(label));
     auto* item = new QTreeWidgetItem(group, {label});
     item->setData(labelColumn, targetRole, int(i));
-    item->setToolTip(labelColumn, widgets::toQString(targets[i].description));
-    item->setTextAlignment(bytesColumn, Qt::AlignRight);
+    item->setIcon(labelColumn, widgets::themedIcon(widgets::toQString(targets[i].icon)));
+    item->setToolTip(labelColumn, widgets::toQString(targets[i].purpose));
+    item->setTextAlignment(bytesColumn, Qt::AlignRight | Qt::AlignVCenter);
   }
   m_targets->expandAll();
   m_targets->setItemsExpandable(false);
   m_targets->setIndentation(fontMetrics().height());
   m_targets->header()->setStretchLastSection(false);
-  m_targets->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // Wide enough for all that they will hold: columns do not move while the targets are made.
+  m_targets->header()->setSectionResizeMode(QHeaderView::Fixed);
+  m_targets->header()->resizeSection(matchColumn, fontMetrics().horizontalAdvance(tr("indistinguishable")) + line);
+  m_targets->header()->resizeSection(bytesColumn, fontMetrics().horizontalAdvance(QStringLiteral("100.0 MB")) + line);
   m_targets->header()->setSectionResizeMode(labelColumn, QHeaderView::Stretch);
   m_targets->setMinimumWidth(widest +
                              fontMetrics().horizontalAdvance(tr("indistinguishable") + QStringLiteral("100.0 MB")) +
@@ -177,9 +189,22 @@ QWidget* ExportDialog::details() {
   auto* panel = new QWidget;
   auto* layout = new QVBoxLayout(panel);
   layout->setContentsMargins(0, 0, 0, 0);
+  m_purpose = exportText();
   m_description = exportText();
+  m_numbers = exportText();
+  m_match = new QToolButton;
+  m_match->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_match->setToolTip(tr("Shows the numbers, and what the files contain and can represent"));
+  m_match->setAutoRaise(true);
+  m_match->setCheckable(true);
+  m_match->setFocusPolicy(Qt::StrongFocus);
+  const auto showDetails = [this](bool shown) {
+    m_match->setIcon(widgets::themedIcon(shown ? QStringLiteral("expanded") : QStringLiteral("collapsed")));
+    m_numbers->setVisible(shown);
+    m_description->setVisible(shown);
+  };
+  connect(m_match, &QToolButton::toggled, this, showDetails);
   m_pictures = new ExportPictures;
-  m_cost = exportText();
   m_warnings = exportText();
   m_progress = new QProgressBar;
   m_progress->setAccessibleName(tr("Progress of the preparation"));
@@ -196,15 +221,18 @@ QWidget* ExportDialog::details() {
       tr("Writes the files again whenever the edits have rested for a second, until another material is "
          "opened; File > Keep Export Up to Date switches it off"));
   auto* form = new QFormLayout;
-  form->addRow(tr("&Rendered SNR ≥"), m_snr);
+  form->addRow(tr("&Match at least"), m_snr);
   form->addRow(QString(), m_withScene);
   form->addRow(QString(), m_keep);
-  layout->addWidget(m_description);
+  layout->addWidget(m_purpose);
   layout->addLayout(form);
   layout->addWidget(m_pictures, 1);
-  layout->addWidget(m_cost);
+  layout->addWidget(m_match);
+  layout->addWidget(m_numbers);
+  layout->addWidget(m_description);
   layout->addWidget(m_progress);
   layout->addWidget(m_warnings);
+  showDetails(false);
   return panel;
 }
 
@@ -288,82 +316,76 @@ QString ExportDialog::name() const {
 
 void ExportDialog::setName(const QString& name) { m_name->setText(QDir::toNativeSeparators(name)); }
 
-ExportDialog::Key ExportDialog::key() const { return Key::of(target(), m_snr->value()); }
-
 exports::ExportOptions ExportDialog::options() const {
   exports::ExportOptions options;
   options.snr = m_snr->value();
   return options;
 }
 
-ExportTrialPtr ExportDialog::trial() const {
-  const auto found = m_trials.find(key());
-  return found == m_trials.end() ? nullptr : found->second;
-}
+ExportTrialPtr ExportDialog::trial() const { return m_controller.known(m_material, target(), m_snr->value()); }
 
 bool ExportDialog::withScene() const { return m_withScene->isEnabled() && m_withScene->isChecked(); }
 
 void ExportDialog::showTarget() {
+  m_purpose->setText(widgets::toQString(target().purpose));
   m_description->setText(widgets::toQString(target().description) + '\n' + widgets::toQString(target().limitations));
   m_pictures->setExportedName(tr("Export for %1").arg(widgets::toQString(target().label)));
   m_snr->setEnabled(target().usesSnr);
   m_withScene->setEnabled(target().scene != nullptr);
   m_error.clear();
   m_controller.dropTrial();
-  if (!trial()) m_delay.start();
+  if (!trial() || !trial()->isRefined) m_delay.start();
   showTrial();
   showFiles();
 }
 
 void ExportDialog::startTrial() {
-  if (trial()) return;
-  const Key wanted = key();
   m_controller.tryOut(
-      m_material, target(), options(), m_trials.empty() ? QImage() : m_trials.begin()->second->original,
-      [this, wanted, self = QPointer(this)](const ExportTrialPtr& made) {
-        if (!self) return;
-        m_trials[wanted] = made;
-        showTrial();
+      m_material, target(), options(),
+      [self = QPointer(this)] {
+        if (self) self->showTrial();
       },
-      [this, self = QPointer(this)](const QString& error) {
+      [self = QPointer(this)](const QString& error) {
         if (!self) return;
-        m_error = error;
-        showTrial();
+        self->m_error = error;
+        self->showTrial();
       });
 }
 
 void ExportDialog::showTrial() {
   for (QTreeWidgetItem* item : rows()) {
     const auto index = std::size_t(item->data(labelColumn, targetRole).toInt());
-    const auto found = m_trials.find(Key::of(exports::exportTargets()[index], m_snr->value()));
-    const ExportTrial* of = found == m_trials.end() ? nullptr : found->second.get();
-    item->setText(matchColumn, of ? exportMatchText(*of) : QString());
-    item->setToolTip(matchColumn, of ? tr("Rendered SNR: %1").arg(exportSnrText(of->made.snr)) : QString());
+    const ExportTrialPtr of = m_controller.known(m_material, exports::exportTargets()[index], m_snr->value());
+    const bool isMeasured = of && of->isRefined;
+    item->setText(matchColumn, isMeasured ? exportMatchText(*of) : QString());
+    item->setToolTip(matchColumn, isMeasured ? tr("Rendered SNR: %1").arg(exportSnrText(of->made.snr)) : QString());
     item->setText(bytesColumn, of ? exportBytesText(of->made.bytes()) : QString());
   }
   const ExportTrialPtr shown = trial();
-  const QImage original = m_trials.empty() ? QImage() : m_trials.begin()->second->original;
-  m_pictures->setPictures(original, shown ? shown->exported : QImage());
-  QStringList warnings;
+  m_pictures->setPictures(m_controller.picture(m_material), shown ? shown->exported : QImage());
+  QStringList numbers, warnings;
+  if (!shown) {
+    m_match->setText(m_error.isEmpty() ? tr("Preparing the export...") : m_error);
+  } else if (!shown->isRefined) {
+    m_match->setText(tr("Comparing the export with the material..."));
+  } else if (!shown->made.brdf) {
+    m_match->setText(tr("Values at individual directions; %1").arg(exportBytesText(shown->made.bytes())));
+    numbers << tr("These files are not rendered.");
+  } else {
+    m_match->setText(tr("Match: %1; %2").arg(exportMatchText(*shown), exportBytesText(shown->made.bytes())));
+    numbers << (std::isfinite(shown->made.snr)
+                    ? tr("Rendered SNR %1, FLIP %2, BRDF SNR %3.")
+                          .arg(exportSnrText(shown->made.snr), QString::number(shown->flip, 'f', 3),
+                               exportSnrText(shown->made.brdfSnr))
+                    : tr("Images of the export and of the material are identical."))
+            << tr("Evaluated by Gonio, the files take %1.").arg(widgets::timesText(*shown->cost));
+  }
   if (shown) {
-    m_cost->setText(!shown->made.brdf ? tr("Values at individual directions, which are not rendered; %1.")
-                                            .arg(exportBytesText(shown->made.bytes()))
-                    : std::isfinite(shown->made.snr)
-                        ? tr("Match: %1 (rendered SNR %2, FLIP %3, BRDF SNR %4); %5.")
-                              .arg(exportMatchText(*shown), exportSnrText(shown->made.snr),
-                                   QString::number(shown->flip, 'f', 3), exportSnrText(shown->made.brdfSnr),
-                                   exportBytesText(shown->made.bytes()))
-                        : tr("Images of the export and of the material are identical; %1.")
-                              .arg(exportBytesText(shown->made.bytes())));
-    if (shown->cost)
-      m_cost->setText(m_cost->text() + QLatin1Char(' ') +
-                      tr("Evaluated by Gonio, the files take %1.").arg(widgets::timesText(*shown->cost)));
-    for (const std::string& loss : shown->made.losses) warnings << tr("Note: %1.").arg(QString::fromStdString(loss));
+    for (const std::string& loss : shown->made.losses) numbers << tr("Note: %1.").arg(QString::fromStdString(loss));
     for (const std::string& warning : shown->made.warnings)
       warnings << tr("Warning: %1.").arg(QString::fromStdString(warning));
-  } else {
-    m_cost->setText(m_error.isEmpty() ? tr("Preparing the export...") : m_error);
   }
+  m_numbers->setText(numbers.join(' '));
   m_warnings->setText(warnings.join('\n'));
   m_warnings->setVisible(!warnings.isEmpty());
   showProgress();

@@ -19,6 +19,7 @@ class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QSettings;
+class QToolButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -60,7 +61,8 @@ class ExportDialog : public QDialog {
   /// folder with which the dialog starts.
   QString name() const;
   void setName(const QString& name);
-  /// The trial of the selected target with the current options; null while it is being made or if it failed.
+  /// The trial of the selected target with the current options; null while it is being made or if it failed, coarse
+  /// until it is refined.
   ExportTrialPtr trial() const;
   /// Whether a scene is written in addition to the material.
   bool withScene() const;
@@ -68,14 +70,6 @@ class ExportDialog : public QDialog {
   void accept() override;
 
  private:
-  /// Targets with the same suffixes have the same files, which are made only once.
-  struct Key {
-    std::string_view suffix;
-    double snr;
-    static Key of(const exports::ExportTarget& target, double snr) { return {target.suffixes.front(), snr}; }
-    bool operator<(const Key& other) const { return std::tie(suffix, snr) < std::tie(other.suffix, other.snr); }
-  };
-
   QWidget* targetList();
   QWidget* details();
   QWidget* nameRow();
@@ -84,7 +78,6 @@ class ExportDialog : public QDialog {
   QString startFolder() const;
   void restore();
   void remember();
-  Key key() const;
   exports::ExportOptions options() const;
   void showTarget();
   void startTrial();
@@ -99,13 +92,13 @@ class ExportDialog : public QDialog {
   QSettings& m_settings;
   const std::shared_ptr<const rendering::Scene> m_scene;
   const materials::EditedMaterial m_material;
-  std::map<Key, ExportTrialPtr> m_trials;
   QString m_error;  ///< of the last trial
   QTimer m_delay;
   QTreeWidget* m_targets;
-  QLabel* m_description;
+  QLabel *m_purpose, *m_description;
   ExportPictures* m_pictures;
-  QLabel *m_cost, *m_warnings, *m_files;
+  QToolButton* m_match;  ///< opens m_numbers and m_description
+  QLabel *m_numbers, *m_warnings, *m_files;
   QProgressBar* m_progress;
   QDoubleSpinBox* m_snr;
   QCheckBox *m_withScene, *m_keep;

@@ -40,7 +40,7 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
     case FactorAxis::theta:
       return {.title = FactorColumnText::tr("F1: specular strength vs. angle"),
               .label = FactorColumnText::tr("angle of the mirror direction [°]"),
-              .symbol = FactorColumnText::tr("θR"),
+              .symbol = FactorColumnText::tr("angle"),
               .suffix = FactorColumnText::tr("°"),
               .valueLabel = transformedValue(transform),
               .unit = radians(1),
@@ -48,11 +48,11 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
     case FactorAxis::deviation:
       return {.title = FactorColumnText::tr("F2: highlight profile"),
               .label = FactorColumnText::tr("distance from the mirror direction"),
-              .symbol = FactorColumnText::tr("|Δp|"),
+              .symbol = FactorColumnText::tr("distance"),
               .valueLabel = FactorColumnText::tr("fraction of F1"),
               .help = FactorColumnText::tr("Dotted lines: distances from the mirror direction to the nearest and the "
                                            "farthest point of the horizon (near and far horizon),\n"
-                                           "for the θR under the pointer in F1."),
+                                           "for the angle under the pointer in F1."),
               .tick = 0.25,
               .squareRoot = true};
     default:

@@ -160,13 +160,13 @@ void FactorCurvesPanel::forget() {
 }
 
 void FactorCurvesPanel::showLimits(double thetaR) {
-  const QString where = tr("θR %1°").arg(degrees(thetaR), 0, 'f', 0);
+  const QString where = tr("%1°").arg(degrees(thetaR), 0, 'f', 0);
   column(FactorAxis::theta).editor().setLimits({{thetaR, where}});
   // The disk of directions ends at |Dp| = 1 - sin theta_R behind the mirror direction, and at 1 + sin theta_R at last.
   const double sine = std::sin(thetaR);
   column(FactorAxis::deviation)
       .editor()
-      .setLimits({{1 - sine, tr("near horizon, %1").arg(where)}, {1 + sine, tr("far horizon")}}, 1 + sine);
+      .setLimits({{1 - sine, tr("near horizon at %1").arg(where)}, {1 + sine, tr("far horizon")}}, 1 + sine);
 }
 
 bool FactorCurvesPanel::isSettled() const { return !isVisible() || (!m_running && !m_tasks.isRunning(swapKey)); }

@@ -134,22 +134,22 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
 }
 
 QWidget* Inspector::buildKinds() {
-  const std::tuple<EditingKind, QString, widgets::Glyph, QString> kinds[] = {
-      {EditingKind::sliders, tr("Sliders"), widgets::Glyph::sliders,
+  const std::tuple<EditingKind, QString, QString, QString> kinds[] = {
+      {EditingKind::sliders, tr("Sliders"), QStringLiteral("sliders"),
        tr("Shows the controls: roughness, strength and colour")},
-      {EditingKind::curves, tr("Curves"), widgets::Glyph::curves,
+      {EditingKind::curves, tr("Curves"), QStringLiteral("curves"),
        tr("Opens the factor curves, which draw the shape of the highlight")},
-      {EditingKind::blend, tr("Blend"), widgets::Glyph::blend,
+      {EditingKind::blend, tr("Blend"), QStringLiteral("blend"),
        tr("Opens the Blend panel, which mixes the material with others")}};
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  for (const auto& [kind, name, glyph, toolTip] : kinds) {
+  for (const auto& [kind, name, icon, toolTip] : kinds) {
     auto* button = new QToolButton;
     button->setText(name);
     button->setToolTip(toolTip);
-    button->setIcon(widgets::glyphIcon(glyph));
+    button->setIcon(widgets::themedIcon(icon));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setObjectName(QStringLiteral("kind"));
     button->setCheckable(true);
@@ -362,7 +362,11 @@ QString Inspector::energyText(int edit) const {
   if (std::size_t(edit) + 1 >= energies.size()) return tr("Albedo: measuring...");
   const editing::Energy before = energies[std::size_t(edit)], after = energies[std::size_t(edit) + 1];
   const auto change = [](double from, double to) {
-    const QString was = QString::number(from, 'f', 3), is = QString::number(to, 'f', 3);
+    const auto shown = [](double albedo) {
+      constexpr double large = 100;  // of edits that make light
+      return albedo < large ? QString::number(albedo, 'f', 3) : QString::number(albedo, 'g', 3);
+    };
+    const QString was = shown(from), is = shown(to);
     return was == is ? was : QStringLiteral("%1 \u2192 %2").arg(was, is);
   };
   return tr("Albedo %1; at %2\u00b0 %3")

@@ -56,9 +56,9 @@ QString badgeOf(materials::LibraryOrigin origin) {
     case materials::LibraryOrigin::measured:
       return LibraryController::tr("measured");
     case materials::LibraryOrigin::nearMeasured:
-      return LibraryController::tr("near-measured");
+      return LibraryController::tr("close copy");
     default:
-      return LibraryController::tr("published fit");
+      return LibraryController::tr("model fit");
   }
 }
 
@@ -67,9 +67,11 @@ QString badgeMeaning(materials::LibraryOrigin origin) {
     case materials::LibraryOrigin::measured:
       return LibraryController::tr("Measured: the values of a goniophotometer.");
     case materials::LibraryOrigin::nearMeasured:
-      return LibraryController::tr("Near-measured: a neural fit of a measurement, smoother than the measurement.");
+      return LibraryController::tr(
+          "Close copy: a neural network fitted to a measurement, smoother than the measurement.");
     default:
-      return LibraryController::tr("Published fit: parameters of a model from a paper.");
+      return LibraryController::tr(
+          "Model fit: parameters of a model fitted to a measurement, as published in a paper; the coarsest quality.");
   }
 }
 
@@ -79,9 +81,9 @@ QString sourceOf(const materials::LibraryEntry& entry) {
     case materials::LibraryOrigin::measured:
       return LibraryController::tr("Measured: RGL");
     case materials::LibraryOrigin::nearMeasured:
-      return LibraryController::tr("Near-measured copies (neural fits): %1").arg(prefix.section('-', 0, 0).toUpper());
+      return LibraryController::tr("Close copies: %1").arg(prefix.section('-', 0, 0).toUpper());
     default:
-      return LibraryController::tr("Published fits: SGD of MERL");
+      return LibraryController::tr("Model fits: MERL");
   }
 }
 
@@ -91,14 +93,12 @@ QString titled(const std::string& kind) {
   return title;
 }
 
-/// Where the better copy of a published fit is; empty if there is none.
-QString measuredCopyText(const materials::LibraryEntry& entry) {
-  if (entry.origin == materials::LibraryOrigin::measured || entry.origin == materials::LibraryOrigin::nearMeasured)
-    return {};
-  for (const materials::LibraryEntry& other : materials::bundledLibrary())
-    if (other.name == entry.name && other.origin == materials::LibraryOrigin::nearMeasured)
-      return '\n' + LibraryController::tr("The near-measured copy of the same name is closer to the material.");
-  return {};
+/// What the qualities of one material have in common: "merl/chrome" for "merl-copy/chrome" and "sgd/chrome".
+QString materialOf(const materials::LibraryEntry& entry) {
+  const std::string_view source = std::string_view(entry.id).substr(0, entry.id.find('/'));
+  std::string_view database = source.substr(0, source.find('-'));
+  if (source == materials::sgdSource) database = "merl";
+  return QString::fromStdString(std::string(database) + '/' + entry.name);
 }
 
 std::vector<widgets::LibraryItem> bundledItems() {
@@ -106,11 +106,12 @@ std::vector<widgets::LibraryItem> bundledItems() {
   for (const materials::LibraryEntry& entry : materials::bundledLibrary())
     items.push_back({.id = QString::fromStdString("library:" + entry.id),
                      .name = QString::fromStdString(entry.name),
-                     .toolTip = QString::fromStdString(entry.description) + measuredCopyText(entry),
+                     .toolTip = QString::fromStdString(entry.description),
                      .badge = badgeOf(entry.origin),
                      .source = sourceOf(entry),
                      .kind = titled(entry.kind),
-                     .badgeMeaning = badgeMeaning(entry.origin)});
+                     .badgeMeaning = badgeMeaning(entry.origin),
+                     .material = materialOf(entry)});
   return items;
 }
 

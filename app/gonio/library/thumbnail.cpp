@@ -30,6 +30,9 @@ namespace {
 
 constexpr double exposure = 0;
 
+/// Rim lights show the outline of dark materials, which the studio leaves in the dark.
+rendering::Scene thumbnailScene() { return rendering::sphereScene(rendering::bundledEnvironment("rim-lights")); }
+
 /// Hue of the mean colour in degrees; -1 for a grey.
 double meanHue(const QImage& image) {
   double red = 0, green = 0, blue = 0;
@@ -57,7 +60,7 @@ QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskContro
   options.width = options.height = pixels;
   options.samples = samples;
   options.density = estimateSamplingDensity(brdf);
-  const Image picture = rendering::renderPicture(brdf, rendering::comparisonScene(), options, control);
+  const Image picture = rendering::renderPicture(brdf, thumbnailScene(), options, control);
   QImage image = displayedImage(picture);
   image.setText("roughness", QString::number(options.density->roughness));
   image.setText("hue", QString::number(meanHue(image)));
@@ -177,7 +180,7 @@ void writeBundledThumbnails(const QString& folder, const TaskControl& control) {
 namespace {
 
 /// Part of the cache's file names: a change of the renderer, the scene or the tone curve needs a new one.
-constexpr int rendererVersion = 1;
+constexpr int rendererVersion = 2;
 constexpr int side = 192, samplesPerPixel = 16;
 
 /// What names a picture in the cache: the bytes that the material is made of.

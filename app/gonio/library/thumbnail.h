@@ -15,8 +15,8 @@
 
 namespace gonio::app {
 
-/// A picture of a sphere with any BRDF in the studio environment, on a transparent background, with hue and roughness
-/// as text entries of the image.
+/// A picture of a sphere with any BRDF in the environment "rim-lights", on a transparent background, with hue and
+/// roughness as text entries of the image.
 /// @throws Cancelled.
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
 
@@ -41,7 +41,7 @@ class TooSlow : public Error {
   using Error::Error;
 };
 
-/// The thumbnail of a material: a sphere in the studio environment on a transparent background. A bundled material has
+/// The thumbnail of a material: spherePicture(). A bundled material has
 /// a built-in one (bundledThumbnail()). Others are rendered from the native form and cached in `cacheFolder`, by the
 /// hash of the material's content and the version of the renderer. @param limit on the time, so that one material does
 /// not hold up a whole library. @throws Error; TooSlow; Cancelled.

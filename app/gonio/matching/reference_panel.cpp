@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/matching/match_controller.h"
 #include "app/gonio/matching/reference_view.h"
 #include "core/matching/ball_pictures.h"
@@ -120,7 +121,8 @@ QString ReferencePanel::proposalText() const {
   }
   if (m_match.tones() == ImageTones::photograph)
     values << tr("exposure of the image %1 stops").arg(match.exposure, 0, 'f', 1);
-  return tr("Rendered SNR to the image: %1 dB. %2")
+  return tr("Match: %1 (%2 dB). %3")
+      .arg(matchWord(match.signalToNoiseRatio))
       .arg(match.signalToNoiseRatio, 0, 'f', 1)
       .arg(values.join(QStringLiteral(", ")));
 }

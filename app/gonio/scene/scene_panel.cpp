@@ -171,6 +171,7 @@ QString sceneTitle(const std::string& name) {
 ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
       m_preview(preview),
+      m_document(document),
       m_tasks(tasks),
       m_scenes(new QComboBox),
       m_up(new QComboBox),
@@ -270,8 +271,9 @@ QWidget* ScenePanel::buildBottom() {
 
 void ScenePanel::askForFile() {
   const QString purpose = QStringLiteral("scene");
+  const QString beside = m_document.folder();
   const QString path = QFileDialog::getOpenFileName(
-      this, tr("Open Scene"), widgets::dialogFolder(purpose),
+      this, tr("Open Scene"), beside.isEmpty() ? widgets::dialogFolder(purpose) : beside,
       tr("Scenes and meshes (*.json %1);;All files (*)").arg(QString::fromStdString(io::meshSuffixList("*"))));
   widgets::rememberDialogFolder(purpose, path);
   if (!path.isEmpty()) open(path);

@@ -107,6 +107,7 @@ class ScenePanel : public QWidget {
   void checkPlan();
 
   widgets::PreviewWidget& m_preview;
+  const Document& m_document;
   BackgroundTasks& m_tasks;
   QComboBox *m_scenes, *m_up;
   QLabel *m_description, *m_result;

@@ -12,9 +12,11 @@
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/thumbnail.h"
+#include "core/io/atomic_file.h"
 #include "core/rendering/error_maps.h"
 #include "core/study/accuracy_study.h"
 #include "core/study/study_plot.h"
@@ -25,8 +27,8 @@ namespace gonio::app {
 namespace {
 
 const QString pictureFolder = QStringLiteral("plot");
-constexpr int side = 256, samples = 32, firstCount = 8, maxCount = 1000, minTile = 96, maxTile = 384, firstTile = 160;
-constexpr int savedTile = 320, savedColumns = 6;
+constexpr int side = 256, samples = 64, firstCount = 8, maxCount = 1000, minTile = 96, maxTile = 384, firstTile = 160;
+constexpr int savedTile = 320, savedPdfTile = 120, maxSavedColumns = 6;
 
 QImage imageOf(const std::vector<std::uint8_t>& rgba) {
   return QImage(rgba.data(), side, side, 4 * side, QImage::Format_RGBA8888).copy();
@@ -86,12 +88,14 @@ void StudySheet::build() {
   m_compare->setToolTip(tr("Select two images by clicking, or with the arrow keys and Space"));
   m_save = new QPushButton(tr("Sa&ve Image..."));
   m_save->setToolTip(tr("Saves the sheet as a PNG file"));
+  m_savePdf = new QPushButton(tr("Save P&DF..."));
+  m_savePdf->setToolTip(tr("Saves the sheet as a PDF file, with texts as text, for a paper"));
   auto* label = new QLabel(tr("Show &first"));
   label->setBuddy(m_count);
   auto* top = new QHBoxLayout;
   for (QWidget* widget : std::initializer_list<QWidget*>{label, m_count, m_maps, size}) top->addWidget(widget);
   top->addStretch();
-  for (QPushButton* button : {m_compare, m_save}) {
+  for (QPushButton* button : {m_compare, m_save, m_savePdf}) {
     button->setAutoDefault(false);
     top->addWidget(button);
   }
@@ -113,6 +117,7 @@ void StudySheet::build() {
   connect(size, &QSlider::valueChanged, m_sheet, &widgets::ContactSheet::setTileSide);
   connect(m_compare, &QPushButton::clicked, this, &StudySheet::compareSelected);
   connect(m_save, &QPushButton::clicked, this, &StudySheet::save);
+  connect(m_savePdf, &QPushButton::clicked, this, &StudySheet::savePdf);
   connect(m_sheet, &widgets::ContactSheet::selectionChanged, this,
           [this] { m_compare->setEnabled(m_sheet->selected().size() == 2); });
 }
@@ -230,6 +235,7 @@ void StudySheet::showTiles() {
   m_sheet->setTiles(std::move(tiles));
   m_sheet->setRange(m_range);
   m_save->setEnabled(isComplete());
+  m_savePdf->setEnabled(isComplete());
   m_compare->setEnabled(m_sheet->selected().size() == 2);
 }
 
@@ -265,9 +271,22 @@ void StudySheet::save() {
   const QString proposed = widgets::inDialogFolder(pictureFolder, name);
   widgets::askForPath(this, tr("Save Contact Sheet"), proposed, tr("PNG (*.png)"), [this](const QString& path) {
     widgets::rememberDialogFolder(pictureFolder, path);
-    Q_EMIT saveRequested(path, m_sheet->picture(savedTile, std::min(savedColumns, int(shownEntries().size()) + 1)));
+    Q_EMIT saveRequested(path, m_sheet->picture(savedTile, savedColumns()));
   });
 }
+
+void StudySheet::savePdf() {
+  const QString proposed = widgets::inDialogFolder(pictureFolder, m_source.name + tr(" contact sheet.pdf"));
+  widgets::askForPath(this, tr("Save Contact Sheet"), proposed, tr("PDF (*.pdf)"), [this](const QString& path) {
+    widgets::rememberDialogFolder(pictureFolder, path);
+    const QByteArray bytes = m_sheet->pdf(savedPdfTile, savedColumns());
+    Q_EMIT writeRequested(path, {.write = [bytes](const std::filesystem::path& file, const TaskControl&) {
+                            io::writeFileAtomically(file, std::as_bytes(std::span(bytes.constData(), bytes.size())));
+                          }});
+  });
+}
+
+int StudySheet::savedColumns() const { return std::min(maxSavedColumns, int(shownEntries().size()) + 1); }
 
 }  // namespace gonio::app
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/gonio/document/background_task.h"
+#include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/loaded_material.h"
 #include "core/rendering/render_picture.h"
 #include "widgets/preview/gl/preview_subject.h"
@@ -65,6 +66,7 @@ class StudySheet : public QWidget {
   void compareRequested(const std::array<gonio::widgets::PreviewSubject, 2>& subjects,
                         const std::array<QString, 2>& names);
   void saveRequested(const QString& path, const QImage& picture);
+  void writeRequested(const QString& path, const gonio::app::FileSave& save);
   void failed(const QString& title, const QString& text);
 
  private:
@@ -78,6 +80,8 @@ class StudySheet : public QWidget {
   void makeMaps();
   void showTiles();
   void save();
+  void savePdf();
+  int savedColumns() const;
   std::vector<Entry> shownEntries() const;
 
   BackgroundTasks& m_tasks;
@@ -92,7 +96,7 @@ class StudySheet : public QWidget {
   widgets::ContactSheet* m_sheet;
   QSpinBox* m_count;
   QCheckBox* m_maps;
-  QPushButton *m_compare, *m_save;
+  QPushButton *m_compare, *m_save, *m_savePdf;
   QLabel* m_hint;
 };
 

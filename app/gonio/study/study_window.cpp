@@ -216,6 +216,7 @@ void StudyWindow::connectParts() {
   });
   connect(m_sheet, &StudySheet::compareRequested, this, &StudyWindow::compareRequested);
   connect(m_sheet, &StudySheet::saveRequested, this, &StudyWindow::saveRequested);
+  connect(m_sheet, &StudySheet::writeRequested, this, &StudyWindow::writeRequested);
   connect(m_sheet, &StudySheet::failed, this, &StudyWindow::failed);
   for (StudyRun* run : {m_openRun, m_libraryRun}) connectRun(*run);
   // What is edited is what the user wants to see.

@@ -68,6 +68,7 @@ class StudyWindow : public QDialog {
   void compareRequested(const std::array<gonio::widgets::PreviewSubject, 2>& subjects,
                         const std::array<QString, 2>& names);
   void saveRequested(const QString& path, const QImage& picture);
+  void writeRequested(const QString& path, const gonio::app::FileSave& save);
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
 

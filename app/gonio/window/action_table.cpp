@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/inputs/icons.h"
 #include "widgets/inputs/menu_text.h"
 
 namespace gonio::app {
@@ -65,6 +66,7 @@ QAction* ActionTable::add(QMenu& menu, const Action& row, QAction* before) {
   if (!row.id.isEmpty()) action->setObjectName(row.id);
   if (!row.keys.isEmpty()) action->setShortcuts(row.keys);
   if (!row.help.isEmpty()) action->setToolTip(row.help);
+  if (!row.icon.isEmpty()) action->setIcon(widgets::themedIcon(row.icon));
   menu.insertAction(before, action);
   return action;
 }

@@ -19,6 +19,7 @@ namespace gonio::app {
 struct Action {
   QString id = {};  ///< for ActionTable::action(); empty if nothing asks for it
   QString text = {};
+  QString icon = {};  ///< of resources/icons
   QList<QKeySequence> keys = {};
   QString help = {};  ///< one sentence: the tooltip, and further words by which the command search finds the action
   std::function<void()> run = {};

@@ -21,7 +21,7 @@ constexpr int layoutVersion = 2;
 constexpr int bottomDockLines = 22, acquisitionDockLines = 30;
 /// Maximum initial width of a side dock, percent of the window: on a small screen there is room for two columns of the
 /// library, and for sliders that are long enough to aim with.
-constexpr int maxPercentLeft = 19, maxPercentRight = 31;
+constexpr int maxPercentLeft = 20, maxPercentRight = 31;
 const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStringLiteral("window/layout"),
               workspaceKey = QStringLiteral("window/workspace");
 }  // namespace

@@ -100,6 +100,7 @@ void EditorParts::connectStandIns() {
                    });
   QObject::connect(&study, &StudyWindow::saveRequested, &exports,
                    [this](const QString& path, const QImage& picture) { exports.writePng(path, picture); });
+  QObject::connect(&study, &StudyWindow::writeRequested, &exports, &FileExports::save);
   QObject::connect(representation, &RepresentationPanel::shownChanged, &comparison,
                    [this, representation] { comparison.setCode(representation->shown()); });
   const WavelengthPanel* wavelength = inspector.wavelength();

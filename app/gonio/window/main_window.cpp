@@ -43,6 +43,7 @@
 #include "app/gonio/window/start_page.h"
 #include "app/gonio/window/status_line.h"
 #include "app/gonio/window/window_keys.h"
+#include "widgets/inputs/icons.h"
 #include "widgets/inputs/menu_text.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
@@ -102,6 +103,7 @@ MainWindow::MainWindow(QWidget* parent)
   m_parts.restoreSettings();
   connectNotes();
   showTitle();
+  showGround();
   // Keys work at once, without a click first.
   m_start->openButton()->setFocus(Qt::OtherFocusReason);
 }
@@ -148,6 +150,12 @@ void MainWindow::addDocks() {
       {tr("Scene"), "scene", m_parts.scene},
       {tr("Acquisition"), "acquisition", m_parts.acquisition}};
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);
+  const std::pair<const char*, const char*> icons[] = {
+      {"library", "library"},     {"inspector", "sliders"},     {"history", "history"},
+      {"plots", "plots"},         {"comparison", "comparison"}, {"factors", "curves"},
+      {"interpolation", "blend"}, {"scene", "scene"},           {"acquisition", "acquisition"}};
+  for (const auto& [name, icon] : icons)
+    m_docks->dock(name)->toggleViewAction()->setIcon(widgets::themedIcon(QString::fromLatin1(icon)));
   m_parts.libraryView.setEmptyText(tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the "
                                       "materials that come with Gonio.")
                                        .arg(materialFilePatterns().join(' ')));
@@ -180,6 +188,8 @@ void MainWindow::addMenus() {
   m_docks->addTabs(layouts, [this](DockLayout::Workspace workspace) {
     EditorActions::showWorkspace(*m_docks, m_parts.comparison, workspace);
   });
+  for (int tab = 0; const char* icon : {"edit", "comparison", "plots", "acquisition"})
+    m_docks->tabs()->setTabIcon(tab++, widgets::themedIcon(QString::fromLatin1(icon)));
   // What the states of the actions depend on.
   const auto follow = [this](auto* sender, auto... signal) {
     (connect(sender, signal, m_actions, &ActionTable::update), ...);
@@ -394,8 +404,26 @@ void MainWindow::showFailure(const QString& title, const QString& text) {
   box->open();
 }
 
+/// The ground of the picture is darker than the window in the dark theme, and mid-grey in a light one.
+void MainWindow::showGround() {
+  constexpr int middle = 128;
+  widgets::DisplaySettings display = m_parts.preview.display();
+  const widgets::DisplaySettings dark;
+  const bool isDark = palette().color(QPalette::Window).lightness() < middle;
+  display.backgroundCentre = isDark ? dark.backgroundCentre : QColor(150, 150, 152);
+  display.backgroundEdge = isDark ? dark.backgroundEdge : QColor(118, 118, 120);
+  m_parts.preview.setDisplay(display);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showGround();
+}
+
 void MainWindow::showTitle() {
-  setWindowTitle(tr("%1[*] - Gonio").arg(widgets::titleText(m_parts.document.name())));
+  const Document& document = m_parts.document;
+  const QString name = document.path().isEmpty() ? widgets::spacedName(document.name()) : document.name();
+  setWindowTitle(tr("%1[*] - Gonio").arg(widgets::titleText(name)));
   setWindowModified(m_parts.document.isModified());
 }
 

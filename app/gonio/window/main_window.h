@@ -41,6 +41,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void addCentre();
@@ -58,6 +59,7 @@ class MainWindow : public QMainWindow {
   void comparePair(const QString& first, const QString& second);
   void showFailure(const QString& title, const QString& text);
   void showTitle();
+  void showGround();
   void showPictureMenu(const QPoint& place);
   void chooseMaterial(const QString& title, const std::function<void(const QString& path)>& chosen);
 

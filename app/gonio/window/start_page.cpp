@@ -16,6 +16,7 @@
 #include "widgets/inputs/flow_layout.h"
 #include "widgets/inputs/icons.h"
 #include "widgets/inputs/menu_text.h"
+#include "widgets/inputs/text_sizes.h"
 
 namespace gonio::app {
 
@@ -24,10 +25,9 @@ namespace {
 constexpr int maxRecent = 5;
 /// Heights of a line.
 constexpr QSizeF materialSize(6, 6), kindSize(9.6, 6);
-constexpr double titleScale = 1.6, headingScale = 1.15;
 
-QFont scaled(QFont font, double scale) {
-  font.setPointSizeF(font.pointSizeF() * scale);
+QFont boldFont(QFont font) {
+  font.setBold(true);
   return font;
 }
 
@@ -81,9 +81,7 @@ void StartTile::paintEvent(QPaintEvent*) {
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, text());
     return;
   }
-  QFont bold = font();
-  bold.setBold(true);
-  painter.setFont(bold);
+  painter.setFont(boldFont(font()));
   painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, text());
   painter.setFont(font());
   painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -105,7 +103,7 @@ StartPage::StartPage(const RecentFiles& recent, QWidget* parent)
   const int line = fontMetrics().height();
   m_column->setContentsMargins(2 * line, 2 * line, 2 * line, 2 * line);
   m_column->setSpacing(line / 2);
-  m_title->setFont(scaled(font(), titleScale));
+  m_title->setFont(widgets::sized(font(), widgets::TextSize::large));
   m_title->setTextFormat(Qt::PlainText);
   m_title->setWordWrap(true);
   m_open->setText(tr("Open..."));
@@ -138,7 +136,7 @@ StartPage::StartPage(const RecentFiles& recent, QWidget* parent)
 
 void StartPage::addHeading(const QString& text) {
   auto* heading = new QLabel(text);
-  heading->setFont(scaled(font(), headingScale));
+  heading->setFont(boldFont(font()));
   heading->setContentsMargins(0, fontMetrics().height() / 2, 0, 0);
   m_column->addWidget(heading);
 }
@@ -149,7 +147,7 @@ void StartPage::addMaterials() {
   flow->setContentsMargins(0, 0, 0, 0);
   for (const QString& id : materials()) {
     const QString name = materialName(id);
-    auto* tile = new StartTile(pictureOf(name), materialSize, QString(name).replace('_', ' ').replace('-', ' '));
+    auto* tile = new StartTile(pictureOf(name), materialSize, widgets::spacedName(name).replace('-', ' '));
     tile->setToolTip(tr("Opens %1 from the bundled library").arg(name));
     connect(tile, &StartTile::clicked, this, [this, id] { Q_EMIT openRequested(id); });
     flow->addWidget(tile);

@@ -8,6 +8,8 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "widgets/inputs/icons.h"
+
 namespace gonio::app {
 
 void SharedPaletteStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
@@ -26,6 +28,43 @@ void SharedPaletteStyle::drawComplexControl(ComplexControl control, const QStyle
                                             QPainter* painter, const QWidget* widget) const {
   sharePalette(option);
   PlainTextStyle::drawComplexControl(control, option, painter, widget);
+}
+
+int SharedPaletteStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                                  QStyleHintReturn* answer) const {
+  // The texts of the buttons say what they do.
+  if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  return PlainTextStyle::styleHint(hint, option, widget, answer);
+}
+
+QIcon SharedPaletteStyle::standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const {
+  static const std::pair<StandardPixmap, const char*> icons[] = {{SP_MessageBoxInformation, "note"},
+                                                                 {SP_MessageBoxWarning, "warning"},
+                                                                 {SP_MessageBoxCritical, "warning"},
+                                                                 {SP_MessageBoxQuestion, "help"},
+                                                                 {SP_TitleBarCloseButton, "close"},
+                                                                 {SP_DockWidgetCloseButton, "close"},
+                                                                 {SP_LineEditClearButton, "close"},
+                                                                 {SP_TitleBarNormalButton, "float"},
+                                                                 {SP_FileDialogToParent, "up"},
+                                                                 {SP_FileDialogBack, "back"},
+                                                                 {SP_ArrowBack, "back"},
+                                                                 {SP_ArrowForward, "forward"},
+                                                                 {SP_FileDialogNewFolder, "new-folder"},
+                                                                 {SP_FileDialogListView, "target-list"},
+                                                                 {SP_FileDialogDetailedView, "details"},
+                                                                 {SP_DirIcon, "open"},
+                                                                 {SP_DirClosedIcon, "open"},
+                                                                 {SP_DirOpenIcon, "open"},
+                                                                 {SP_DirLinkIcon, "open"},
+                                                                 {SP_DirHomeIcon, "home"},
+                                                                 {SP_FileIcon, "file"},
+                                                                 {SP_FileLinkIcon, "file"},
+                                                                 {SP_ComputerIcon, "drive"},
+                                                                 {SP_DriveHDIcon, "drive"}};
+  const auto found = std::ranges::find(icons, which, &std::pair<StandardPixmap, const char*>::first);
+  return found == std::end(icons) ? PlainTextStyle::standardIcon(which, option, widget)
+                                  : widgets::themedIcon(QString::fromLatin1(found->second));
 }
 
 /// Replaces the palette by an equal one. An option cannot be copied, since only the style that reads it knows its type.

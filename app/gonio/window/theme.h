@@ -13,7 +13,7 @@ class QApplication;
 
 namespace gonio::app {
 
-/// The style Fusion, drawn with one palette object for all widgets of the same colours.
+/// The style Fusion with the icons of the editor, drawn with one palette object for all widgets of the same colours.
 ///
 /// Qt gives each widget a palette object of its own once the application has set a palette, and Fusion caches what it
 /// draws by palette object. Without this style, each widget of each dialog has images of its own in the cache, whose
@@ -29,6 +29,11 @@ class SharedPaletteStyle : public widgets::PlainTextStyle {
                    const QWidget* widget = nullptr) const override;
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                           const QWidget* widget = nullptr) const override;
+  int styleHint(StyleHint hint, const QStyleOption* option = nullptr, const QWidget* widget = nullptr,
+                QStyleHintReturn* answer = nullptr) const override;
+  /// Of message boxes, file dialogs and the titles of docks.
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option = nullptr,
+                     const QWidget* widget = nullptr) const override;
 
  private:
   void sharePalette(const QStyleOption* option) const;

@@ -318,6 +318,8 @@ std::string blenderScript(const ViewLobes& lobes, const std::string& name, const
 ExportTarget blenderTarget() {
   return {.id = "blender",
           .label = "Blender (Cycles)",
+          .icon = "target-script",
+          .purpose = "Looks closest in Blender with Cycles, as a network of nodes.",
           .description =
               "A Python script that creates a material from a Diffuse and several Glossy nodes, each weighted by the "
               "viewing angle: run it in Blender, or with blender --background --python.",
@@ -350,6 +352,8 @@ ExportTarget principledTarget() {
   return {
       .id = "principled",
       .label = "Blender (Principled BSDF)",
+      .icon = "target-nodes",
+      .purpose = "Gives one Principled BSDF in Blender, which you can adjust further.",
       .description =
           "A Python script that creates a material from one Principled BSDF node, which artists can edit further "
           "and other programs can import: "

@@ -105,6 +105,8 @@ std::string glslFunction(const ReciprocalLobes& fitted, const std::string& origi
 ExportTarget glslTarget() {
   return {.id = "glsl",
           .label = "GLSL function",
+          .icon = "target-braces",
+          .purpose = "Runs in your own real-time shader.",
           .description = "A self-contained function gonioBrdf(wi, wo) for your own shaders, GLSL 3.30 or GLSL ES 3.00.",
           .limitations =
               "An approximation by a diffuse lobe and up to six GGX lobes; isotropic, or anisotropic with one fixed "

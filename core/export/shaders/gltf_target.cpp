@@ -204,6 +204,8 @@ ExportTarget gltfTarget() {
   return {
       .id = "gltf",
       .label = "glTF 2.0",
+      .icon = "target-cube",
+      .purpose = "Shows in web viewers and game engines, and can be imported into Blender.",
       .description =
           "A sphere with a metallic-roughness material, for three.js, Babylon.js, game engines and Blender's import. "
           "Extensions for specular, clearcoat, sheen and anisotropy are included where they have an effect.",

@@ -260,6 +260,8 @@ std::string standardSurfaceDocument(const SurfaceValues& v, const std::string& n
 ExportTarget materialXTarget() {
   return {.id = "materialx",
           .label = "MaterialX (lobes)",
+          .icon = "target-lobes",
+          .purpose = "Looks closest in programs that read MaterialX.",
           .description =
               "A MaterialX 1.39 document that adds a diffuse lobe and up to four generalized_schlick_bsdf lobes: the "
               "closest approximation of a measured material in MaterialX.",
@@ -275,6 +277,8 @@ ExportTarget openPbrTarget() {
   return {
       .id = "openpbr",
       .label = "OpenPBR (MaterialX)",
+      .icon = "target-coat",
+      .purpose = "Gives an OpenPBR material that you can adjust further in programs that read MaterialX.",
       .description = "A MaterialX 1.39 document with one open_pbr_surface, which artists can edit further.",
       .limitations =
           "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
@@ -289,6 +293,8 @@ ExportTarget standardSurfaceTarget() {
   return {
       .id = "standard-surface",
       .label = "Standard Surface (MaterialX)",
+      .icon = "target-layers",
+      .purpose = "Gives a Standard Surface that you can adjust further in Arnold, Maya and 3ds Max.",
       .description = "A MaterialX 1.39 document with one standard_surface, for Arnold, Maya and 3ds Max.",
       .limitations =
           "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "

@@ -172,6 +172,8 @@ const SurfaceShader& unityShader() {
 ExportTarget valuesTarget() {
   return {.id = "values",
           .label = "Shader inputs (Unreal, Unity, Arnold)",
+          .icon = "target-list",
+          .purpose = "Lists the numbers to type into a material of Unreal Engine, Unity or Arnold.",
           .description =
               "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
               "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",

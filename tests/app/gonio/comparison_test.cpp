@@ -186,8 +186,8 @@ class ComparisonTest : public QObject {
     Editor editor;
     editor.document.setMaterial(lambertMaterial("grey", 0.5));
     QCOMPARE(editor.comparison.name(ComparedSubject::measured), "Measured");
-    for (const auto& [path, name] : {std::pair("library:sgd/chrome", "Published fit"),
-                                     {"library:merl-copy/chrome", "Near-measured"},
+    for (const auto& [path, name] : {std::pair("library:sgd/chrome", "Model fit"),
+                                     {"library:merl-copy/chrome", "Close copy"},
                                      {"library:rgl/paper_blue", "Measured"}}) {
       auto loaded = std::make_shared<LoadedMaterial>(*lambertMaterial("", 0.5));
       loaded->material.source = materials::readMaterial(path).source;

@@ -18,6 +18,8 @@
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
+#include "widgets/inputs/icons.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace export_dialog_test {
 using namespace gonio;
@@ -41,6 +43,8 @@ struct Editor {
   QString path(const QString& name) const { return folder.filePath(name); }
 };
 
+bool isRefined(const ExportDialog& dialog) { return dialog.trial() && dialog.trial()->isRefined; }
+
 bool wait(const std::function<bool()>& done) { return QTest::qWaitFor(done, patienceMilliseconds); }
 
 class ExportDialogTest : public QObject {
@@ -61,16 +65,32 @@ class ExportDialogTest : public QObject {
     QCOMPARE(dialog.target().id, std::string_view("pbrt"));
   }
 
+  /// Each target has an icon and one sentence of its own.
+  void targetsHavePurposes() {
+    QSet<QString> icons, purposes;
+    for (const exports::ExportTarget& target : exports::exportTargets()) {
+      const QString icon = widgets::toQString(target.icon), purpose = widgets::toQString(target.purpose);
+      QVERIFY2(widgets::hasIcon(icon), target.id.data());
+      QVERIFY2(purpose.size() > 20 && purpose.endsWith(u'.') && !purpose.contains(". "), target.id.data());
+      icons << icon;
+      purposes << purpose;
+    }
+    QCOMPARE(icons.size(), qsizetype(exports::exportTargets().size()));
+    QCOMPARE(purposes.size(), qsizetype(exports::exportTargets().size()));
+  }
+
   /// What an export costs is there before it is written; the files are those of the trial.
   void showsTheCostAndWrites() {
     Editor editor;
     QSignalSpy exported(&editor.controller, &ExportController::exported);
     ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
-    QVERIFY(wait([&] { return dialog.trial() != nullptr; }));
+    QVERIFY(wait([&] { return isRefined(dialog); }));
     const QTreeWidgetItem& row = *dialog.findChild<QTreeWidget*>()->currentItem();
     QVERIFY(QStringList({"indistinguishable", "close", "approximate"}).contains(row.text(1)) && !row.text(2).isEmpty());
     QVERIFY(row.toolTip(1).endsWith(" dB"));
-    QVERIFY(!dialog.trial()->original.isNull() && !dialog.trial()->exported.isNull());
+    const QSize size = editor.controller.picture(editor.document.edited()).size();
+    QVERIFY(!size.isEmpty());
+    QCOMPARE(dialog.trial()->exported.size(), size);
     QVERIFY(QDir(editor.folder.path()).entryList({"*.py"}).isEmpty());
     const auto bytes = dialog.trial()->made.parts.front().bytes;
     dialog.accept();
@@ -80,6 +100,48 @@ class ExportDialogTest : public QObject {
     QCOMPARE(file.readAll(), QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())));
     QCOMPARE(exported.front().front().toString(),
              "glossy_blender.py in " + QDir::toNativeSeparators(editor.folder.path()));
+  }
+
+  /// Coarse pictures come first: that of the material before there are any files.
+  void showsCoarsePicturesFirst() {
+    Editor editor;
+    ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
+    const auto width = [&] { return editor.controller.picture(editor.document.edited()).width(); };
+    QVERIFY(wait([&] { return width() > 0; }));
+    const int coarse = width();
+    QVERIFY(!isRefined(dialog));
+    QVERIFY(wait([&] { return dialog.trial() != nullptr; }));
+    QCOMPARE(dialog.trial()->exported.width(), coarse);
+    QVERIFY(wait([&] { return isRefined(dialog); }));
+    QVERIFY(width() > coarse);
+    QCOMPARE(dialog.trial()->exported.width(), width());
+  }
+
+  /// What was made of a material is there when its dialog opens again or another target is chosen and left, and not
+  /// once an edit has changed the material.
+  void keepsWhatIsKnown() {
+    Editor editor;
+    const auto open = [&] {
+      return std::make_unique<ExportDialog>(editor.controller, editor.settings, sphereScene(studioEnvironment()),
+                                            nullptr);
+    };
+    auto dialog = open();
+    QVERIFY(wait([&] { return isRefined(*dialog); }));
+    const ExportTrialPtr first = dialog->trial();
+    dialog->chooseTarget("gltf");
+    QVERIFY(!dialog->trial());
+    dialog->chooseTarget("blender");
+    QCOMPARE(dialog->trial(), first);
+    dialog = open();
+    QCOMPARE(dialog->trial(), first);
+    QVERIFY(editor.tasks.isIdle());
+    dialog.reset();
+    adoptDefaultFit(editor.document);
+    setParameter(editor.document, int(*defaultModel().spec().find("roughness")), Rgb(0.9));
+    dialog = open();
+    QVERIFY(!dialog->trial());
+    QVERIFY(wait([&] { return dialog->trial() != nullptr; }));
+    QVERIFY(dialog->trial()->made.parts.front().bytes != first->made.parts.front().bytes);
   }
 
   /// The preview's scene is written beside the material where the target has scenes and the user asks for it.

@@ -266,14 +266,14 @@ class MainWindowTest : public QObject {
     adoptDefaultFit(document);
     QVERIFY(found(*window, "rough").contains("Controls > Roughness") &&
             found(*window, "rough").contains("GGX > Roughness"));
-    QVERIFY(found(*window, "gold paint").contains("Library > gold-paint (near-measured)"));
+    QVERIFY(found(*window, "gold paint").contains("Library > gold-paint (close copy)"));
     QVERIFY(found(*window, "shader ball").contains("Scene > Shader ball"));
     QVERIFY(found(*window, "hdri").contains("Light > Sunset"));
     QCOMPARE(found(*window, "model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
     QVERIFY(found(*window, "exr").contains("Light > Sunset") &&
             found(*window, "carpaint").contains("Model > Car paint"));
     QVERIFY(found(*window, "undo").first().startsWith("Edit > "));
-    // Words begin words: "red" is no part of "near-measured" here.
+    // Words begin words: "red" is no part of "measured" here.
     QVERIFY(found(*window, "red metallic").first().startsWith("Library > red-metallic-paint"));
     // The laboratory notes are not part of the guide.
     QCOMPARE(found(*window, "guide hostile lost work"), QStringList{"No entry matches \"guide hostile lost work\"."});
@@ -401,11 +401,38 @@ class MainWindowTest : public QObject {
     AcquisitionControls& controls = window->parts().acquisition.controls();
     controls.training().box().setCurrentIndex(4);
     QCOMPARE(controls.training().box().currentText(), "Materials shown in the library");
-    QCOMPARE(controls.planSettings().training.ids.size(), window->parts().library.model().materialCount());
+    // Each material once, in its best quality.
+    QSet<QString> materials;
+    for (int row = 0; row < window->parts().library.model().materialCount(); ++row)
+      materials << window->parts()
+                       .library.model()
+                       .qualitiesOf(
+                           window->parts().library.model().index(row).data(widgets::LibraryModel::IdRole).toString())
+                       .front();
+    QVERIFY(materials.size() > 140 && materials.size() < window->parts().library.model().materialCount());
+    const QStringList all = controls.planSettings().training.ids;
+    QCOMPARE(QSet<QString>(all.begin(), all.end()), materials);
+    QCOMPARE(all.size(), materials.size());
     window->parts().libraryView.search()->setText("paint blue");
     const QStringList ids = controls.planSettings().training.ids;
     QVERIFY(!ids.isEmpty() && ids.size() < window->parts().library.model().materialCount());
     for (const QString& id : ids) QVERIFY2(id.startsWith("library:") && id.contains("blue"), qPrintable(id));
+    delete window;
+  }
+
+  /// The ground of the picture is mid-grey in a light window, and dark in a dark one.
+  void theGroundFollowsTheTheme() {
+    auto* window = new MainWindow;
+    const auto ground = [&](const QColor& colour) {
+      QPalette palette = window->palette();
+      palette.setColor(QPalette::Window, colour);
+      window->setPalette(palette);
+      return window->parts().preview.display().backgroundCentre.lightness();
+    };
+    QVERIFY(ground(QColor(40, 40, 40)) < 80);
+    const int light = ground(QColor(240, 240, 240));
+    QVERIFY(light > 110 && light < 170);
+    QVERIFY(ground(QColor(40, 40, 40)) < 80);
     delete window;
   }
 

@@ -151,7 +151,8 @@ class ShownNamesTest : public QObject {
   void names() {
     QFETCH(QString, name);
     openMaterial(name);
-    QCOMPARE(m_window->windowTitle(), widgets::titleText(m_parts->document.name()) + "[*] - Gonio");
+    QCOMPARE(m_window->windowTitle(),
+             widgets::titleText(widgets::spacedName(m_parts->document.name())) + "[*] - Gonio");
     showScene(name);
     QCOMPARE(QString::fromStdString(m_parts->preview.content().scene().description), name);
     if (!name.isEmpty())
@@ -178,7 +179,7 @@ class ShownNamesTest : public QObject {
     m_parts->libraryView.setTitle(name);
     m_parts->libraryView.setChipsShown(true);
     const QModelIndex index = m_parts->library.model().index(0);
-    QCOMPARE(index.data().toString(), name);
+    QCOMPARE(index.data().toString(), widgets::spacedName(name));
     QTextDocument toolTip;
     toolTip.setHtml(index.data(widgets::richToolTipRole).toString());
     QVERIFY(toolTip.toPlainText().simplified().contains(shownInHtml(name)));

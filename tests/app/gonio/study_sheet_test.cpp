@@ -59,6 +59,46 @@ class StudySheetTest : public QObject {
     QVERIFY(narrow.height() > 2 * wide.height() && wide.width() > 2 * narrow.width());
   }
 
+  /// Long names and a long colour scale stay in their places: no text runs into the gaps between tiles or off the
+  /// sheet.
+  void textsFit() {
+    widgets::ContactSheet sheet;
+    QPixmap grey(8, 8);
+    grey.fill(Qt::gray);
+    const QString name = QString("a very long name of a material ").repeated(8);
+    sheet.setTiles({{name, name, grey, grey}, {name, name, grey, grey}});
+    sheet.setRange(0.0123);
+    for (const int columns : {1, 2}) {
+      constexpr int side = 112;
+      const QImage picture = sheet.picture(side, columns);
+      const int gap = (picture.width() - columns * side) / (columns + 1);
+      const auto isWhite = [&](int left, int right) {
+        for (int y = 0; y < picture.height(); ++y)
+          for (int x = left; x < right; ++x)
+            if (picture.pixelColor(x, y) != QColor(Qt::white)) return false;
+        return true;
+      };
+      QVERIFY(isWhite(0, gap));
+      QVERIFY(isWhite(picture.width() - gap, picture.width()));
+      // The texts of a tile end before the next row.
+      const auto rowIsWhite = [&](int y) {
+        for (int x = 0; x < picture.width(); ++x)
+          if (picture.pixelColor(x, y) != QColor(Qt::white)) return false;
+        return true;
+      };
+      QVERIFY(rowIsWhite(picture.height() - 1));
+      QVERIFY(rowIsWhite(0));
+    }
+    // The end of a name, which distinguishes it, is shown.
+    const auto drawn = [&](const QString& end) {
+      sheet.setTiles({{name + end, {}, grey, grey}});
+      return sheet.picture(112, 1);
+    };
+    QVERIFY(drawn("rougher") != drawn("smoother"));
+    const QByteArray pdf = sheet.pdf(112, 2);
+    QVERIFY(pdf.startsWith("%PDF-") && pdf.contains("/Count 1"));
+  }
+
   /// Only what is shown is rendered, the rest when it is asked for.
   void rendersWhatIsShown() {
     BackgroundTasks tasks;

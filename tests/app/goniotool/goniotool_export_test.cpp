@@ -79,7 +79,9 @@ class GoniotoolExportTest : public QObject {
   void everyTargetIsDocumented() {
     const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/exports.md").toStdString();
     for (const exports::ExportTarget& target : exports::exportTargets()) {
-      QVERIFY2(text.find("\n| `" + std::string(target.id) + "` |") != std::string::npos, target.id.data());
+      const std::size_t row = text.find("\n| `" + std::string(target.id) + "` |");
+      QVERIFY2(row != std::string::npos, target.id.data());
+      QVERIFY2(text.find(target.purpose, row) < text.find('\n', row + 1), target.id.data());
       std::vector<std::string_view> suffixes = target.suffixes;
       if (target.scene) suffixes.insert(suffixes.end(), {target.scene->textSuffix, target.scene->environmentSuffix});
       for (const std::string_view suffix : suffixes)
