@@ -509,6 +509,9 @@ Action EditorActions::help(const std::function<void()>& search, const std::funct
                {.text = tr("S&hortcuts"),
                 .keys = {Qt::Key_F1, Qt::Key_Question},
                 .run = [shortcuts, window] { showPage(tr("Shortcuts"), shortcuts(), window); }},
+               {.text = tr("&Reproduce the Dissertation"),
+                .help = tr("How goniotool makes the figures of Tongbuasirilai 2023 from your files, with a report"),
+                .run = [window] { openGuide(window, QStringLiteral("reproduction.md")); }},
                {.text = tr("&Formulae"), .run = [window] { showPage(tr("Formulae"), formulaePage(), window); }},
                line(),
                {.text = tr("&About Gonio"), .run = [window] { showPage(tr("About Gonio"), aboutPage(), window); }}}};
