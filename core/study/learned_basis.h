@@ -30,11 +30,11 @@ struct LearnedBasis {
   double seconds = 0;  ///< time to learn it; 0 if it was kept
 };
 
-/// The principal components of a training set, on the grid of its tables (trainingGrid()). They are learned once (0.2 s per bundled material)
-/// and kept in keptBasesFolder() for the same components, precision, and materials (bundled ones by their content,
-/// files by path, size and date); reading them takes about 1 s. The result has the rounding of the file, so that it
-/// does not depend on whether it was kept. A training set that contains .gonio documents, which refer to other files,
-/// is not kept.
+/// The principal components of a training set, on the grid of its tables (trainingGrid()). They are learned once (0.2 s
+/// per bundled material) and kept in keptBasesFolder() for the same components, precision, and materials (bundled ones
+/// by their content, files by path, size and date); reading them takes about 1 s. The result has the rounding of the
+/// file, so that it does not depend on whether it was kept. A training set that contains .gonio documents, which refer
+/// to other files, is not kept.
 /// @param files trainingFiles(). @param components maximum number. @throws as trainingMaterials() and
 /// learnPrincipalComponents(); Cancelled.
 LearnedBasis learnedBasis(const std::vector<std::string>& files, int components = defaultBasisComponents,
