@@ -11,7 +11,7 @@ TRAINING = ["chrome", "blue-metallic-paint"]
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory):
-    """Training materials on the MERL grid, a coarse one would not be taken."""
+    """Training materials on the MERL grid."""
     folder = tmp_path_factory.mktemp("training")
     for name in TRAINING:
         gonio.open(f"library:sgd/{name}").save(folder / f"{name}.binary")
@@ -48,12 +48,16 @@ def test_separation_adds_up_and_its_components_hold_the_training_set(files):
     assert np.abs(np.log1p(decoded.values[both]) - np.log1p(material.values[both])).mean() < 0.05
 
 
-def test_codes_of_patches(files):
-    patches = gonio.learn_patches([files])
+def test_codes_of_patches(tmp_path):
+    nodes = gonio.grid_directions((36, 36, 36))  # a multiple of the patches
+    for name in TRAINING:
+        values = gonio.open(f"library:sgd/{name}").evaluate(nodes.wi, nodes.wo)
+        gonio.from_table(values, nodes.valid).save(tmp_path / f"{name}.binary")
+    patches = gonio.learn_patches([tmp_path])
     assert sorted(patches.training_set) == sorted(TRAINING) and patches.bytes == patches.atoms.nbytes
-    assert patches.grid == (90, 90, 180) and patches.atoms.shape == (256, 9, 9, 12)
+    assert patches.grid == (36, 36, 36) and patches.atoms.shape == (256, 9, 9, 12)
     np.testing.assert_allclose(np.linalg.norm(patches.atoms.reshape(256, -1), axis=1), 1, rtol=1e-5)
-    chrome = gonio.open(files / "chrome.binary")
+    chrome = gonio.open(tmp_path / "chrome.binary")
     code = patches.encode(chrome, 2000)
     record, = gonio.study(chrome, ["patches"], coefficients=[2000], patches=patches, size=16, samples=4, timed=False)
     assert record.bytes == code.bytes and record.errors == gonio.compare(chrome, code.material, size=16, samples=4).errors
