@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "app/goniotool/report.h"
@@ -154,6 +155,8 @@ int reproduce(const ReproduceArguments& options, const Tool& tool) {
     throw Error(options.out + ": the folder cannot be created: " + cause.message());
   const std::filesystem::path report = std::filesystem::path(options.out) / "report.html";
   io::checkWritable(report);
+  const bool usesCopies = inputs.folder(MaterialSet::merl).empty();
+  if (usesCopies) std::fputs("note: no MERL files were given (--merl): near-measured copies stand for them\n", stderr);
   Estimate estimate(figures, inputs.quick());
   std::vector<FigureResult> results;
   for (const FigureRecord* figure : figures) {
@@ -166,9 +169,8 @@ int reproduce(const ReproduceArguments& options, const Tool& tool) {
     // After each figure: an interrupted run leaves a report of what it made.
     io::writeFileAtomically(report, reportHtml(inputs, results));
   }
-  const bool usesCopies = inputs.folder(MaterialSet::merl).empty();
   Json json{{"copies", usesCopies}, {"quick", inputs.quick()}, {"figures", Json::array()}, {"report", report.string()}};
-  std::string text = usesCopies ? "No MERL files were given (--merl): near-measured copies stand for them.\n" : "";
+  std::string text;
   bool failed = false;
   for (const FigureResult& result : results) {
     json["figures"].push_back(figureJson(result));

@@ -18,16 +18,6 @@ constexpr const char* insetColour = "#e8590c";
 constexpr double insetLine = 0.25;          ///< mm
 constexpr std::uint8_t missingGrey = 0xe4;  ///< of cells that are not measured
 
-/// Straight colours on white.
-void putOnPaper(Raster& raster) {
-  for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
-    const double alpha = raster.rgba[i + 3] / 255.0;
-    for (std::size_t c = 0; c < 3; ++c)
-      raster.rgba[i + c] = std::uint8_t(std::lround(alpha * raster.rgba[i + c] + 255 * (1 - alpha)));
-    raster.rgba[i + 3] = 255;
-  }
-}
-
 Raster missingPicture() { return {1, 1, {missingGrey, missingGrey, missingGrey, 255}}; }
 
 Raster colourBar() {
@@ -131,7 +121,7 @@ class FigurePainter {
     Raster map = missingPicture();
     if (reference && measured)
       map = {reference->width, reference->height, rendering::errorMap(*reference, measured->picture, errorMaximum_)};
-    putOnPaper(map);
+    putOnWhite(map);
     add(PictureItem{*cell.errorMap, std::move(map)});
   }
 
@@ -170,9 +160,18 @@ InsetPixels insetPixels(const FigureInset& inset, int size) {
   return pixels;
 }
 
+void putOnWhite(Raster& raster) {
+  for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
+    const double alpha = raster.rgba[i + 3] / 255.0;
+    for (std::size_t c = 0; c < 3; ++c)
+      raster.rgba[i + c] = std::uint8_t(std::lround(alpha * raster.rgba[i + c] + 255 * (1 - alpha)));
+    raster.rgba[i + 3] = 255;
+  }
+}
+
 Raster displayedOnWhite(const Image& picture, const FigurePictures& pictures) {
   Raster raster{picture.width, picture.height, rendering::toDisplayBytes(picture, pictures.exposure, pictures.toneMap)};
-  putOnPaper(raster);
+  putOnWhite(raster);
   return raster;
 }
 

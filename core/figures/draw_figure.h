@@ -25,6 +25,8 @@ struct InsetPixels {
 };
 InsetPixels insetPixels(const FigureInset& inset, int size);
 
+/// Composites straight colours with alpha over white, in display values; the raster is then opaque.
+void putOnWhite(Raster& raster);
 /// An image with exposure and tone map applied, composited over white.
 Raster displayedOnWhite(const Image& picture, const FigurePictures& pictures);
 /// Crops a picture. Precondition: the pixels are inside it.

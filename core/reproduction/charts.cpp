@@ -184,15 +184,6 @@ class ChartPainter {
   plots::ValueScale x_, y_;
 };
 
-void putOnWhite(Raster& raster) {
-  for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
-    const double alpha = raster.rgba[i + 3] / 255.0;
-    for (std::size_t c = 0; c < 3; ++c)
-      raster.rgba[i + c] = std::uint8_t(std::lround(alpha * raster.rgba[i + c] + 255 * (1 - alpha)));
-    raster.rgba[i + 3] = 255;
-  }
-}
-
 }  // namespace
 
 FigureDrawing drawCharts(const std::string& title, std::span<const Chart> charts, int columns) {

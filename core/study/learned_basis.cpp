@@ -52,11 +52,15 @@ std::string keyOf(const std::vector<std::string>& files, int components, materia
   return io::sha256Hex(text).substr(0, 32);
 }
 
-/// The kept file of a key: KEY-DIGEST.basis. The digest shows whether it still is what was kept.
+/// The kept file of a key: KEY-DIGEST.basis. The digest shows whether it still is what was kept. Others are written to
+/// at present, by another process.
 fs::path keptFile(const std::string& key) {
   std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(keptBasesFolder(), failed))
-    if (entry.path().filename().string().starts_with(key)) return entry.path();
+  fs::directory_iterator entries(keptBasesFolder(), failed);
+  for (; !failed && entries != fs::directory_iterator(); entries.increment(failed)) {
+    const fs::path& file = entries->path();
+    if (file.filename().string().starts_with(key) && file.extension() == materials::basisSuffix) return file;
+  }
   return {};
 }
 

@@ -67,8 +67,8 @@ class ExportController : public QObject {
               const std::function<void(const QString&)>& failed);
   /// The picture of a material; null if it is not known.
   QImage picture(const materials::EditedMaterial& material) const;
-  /// The trial of a material; null if it is not known. Targets with the same suffixes have the same files, which are
-  /// made only once.
+  /// The trial of a material; null if it is not known. Every target has its own, also where two write the same files:
+  /// Mitsuba reads the colours of an RGL file, pbrt the spectra.
   ExportTrialPtr known(const materials::EditedMaterial& material, const exports::ExportTarget& target,
                        double snr) const;
   void dropTrial();
@@ -103,8 +103,8 @@ class ExportController : public QObject {
   /// Returns the warnings.
   using Writer = std::function<std::vector<std::string>(const TaskControl&)>;
   void writeInBackground(const ExportRequest& request, Writer writer);
-  using Key = std::pair<std::string_view, double>;  ///< first suffix of the target; SNR
-  static Key keyOf(const exports::ExportTarget& target, double snr) { return {target.suffixes.front(), snr}; }
+  using Key = std::pair<std::string_view, double>;  ///< id of the target; SNR, 0 where the target does not use it
+  static Key keyOf(const exports::ExportTarget& target, double snr) { return {target.id, target.usesSnr ? snr : 0}; }
   bool isKnown(const materials::EditedMaterial& material) const;
   void drawCoarse(const std::function<void()>& changed);
   void refine(const Key& key, const QString& title, const std::function<void()>& changed,

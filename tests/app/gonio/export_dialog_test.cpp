@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
+#include <set>
 
 #include "app/gonio/document/edit_steps.h"
 #include "tests/app/gonio/document_edits.h"
@@ -142,6 +143,23 @@ class ExportDialogTest : public QObject {
     QVERIFY(!dialog->trial());
     QVERIFY(wait([&] { return dialog->trial() != nullptr; }));
     QVERIFY(dialog->trial()->made.parts.front().bytes != first->made.parts.front().bytes);
+  }
+
+  /// Mitsuba and pbrt write the same two files, and read different ones: each shows the numbers of the one that it
+  /// reads.
+  void targetsHaveTheirOwnNumbers() {
+    Editor editor;
+    ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
+    std::set<std::string_view> others;  // the number of the file that the program does not read
+    for (const char* id : {"mitsuba", "pbrt"}) {
+      dialog.chooseTarget(id);
+      QVERIFY(!dialog.trial());
+      QVERIFY(wait([&] { return isRefined(dialog); }));
+      const auto expected = exports::makeExport(*exports::findExportTarget(id), editor.document.edited(), {.snr = 15});
+      QCOMPARE(dialog.trial()->made.snr, expected.snr);
+      others.insert(dialog.trial()->made.facts.back().key);
+    }
+    QCOMPARE(others, (std::set<std::string_view>{"snrRgb", "snrSpectral"}));
   }
 
   /// The preview's scene is written beside the material where the target has scenes and the user asks for it.
