@@ -190,8 +190,9 @@ FigureDrawing drawCharts(const std::string& title, std::span<const Chart> charts
   FigureDrawing page = newPage(title);
   const double cellWidth = (page.width - 2 * pageMargin) / columns, cellHeight = columns == 1 ? 95 : 0.82 * cellWidth;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    const PageRectangle cell{pageMargin + cellWidth * double(i % std::size_t(columns)),
-                             contentTop + cellHeight * double(i / std::size_t(columns)), cellWidth, cellHeight};
+    const std::size_t row = i / std::size_t(columns), column = i % std::size_t(columns);
+    const PageRectangle cell{pageMargin + cellWidth * double(column), contentTop + cellHeight * double(row), cellWidth,
+                             cellHeight};
     ChartPainter(charts[i], cell, page).paint();
     page.height = std::max(page.height, cell.bottom() + pageMargin);
   }
