@@ -264,8 +264,8 @@ ReconstructionOptions publishedReconstruction() {
   return {.ridge = publishedRidge, .equalNoise = true, .componentsAsSamples = true};
 }
 
-Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values,
-                           const ReconstructionOptions& options, const TaskControl& control) {
+Reconstruction reconstructCode(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values,
+                               const ReconstructionOptions& options, const TaskControl& control) {
   checkOptions(options);
   Reconstruction result;
   const int wanted = options.componentsAsSamples ? int(plan.samples.size()) : options.components;
@@ -280,14 +280,20 @@ Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan&
   if (result.components == 0)
     result.ridge = options.ridge.value_or(publishedRidge);
   else if (options.method == ReconstructionMethod::localRidge && samples.rows.rows() > 1)
-    coefficients = solveLocalRidge(basis, samples, options, result, control.between(0, 0.5));
+    coefficients = solveLocalRidge(basis, samples, options, result, control);
   else if (options.method != ReconstructionMethod::sparse)
-    coefficients = solveRidge(basis, samples, options, result, control.between(0, 0.5));
+    coefficients = solveRidge(basis, samples, options, result, control);
   else
-    coefficients = sparseCoefficients(samples, options.atoms, control.between(0, 0.5),
-                                      mostOfTraining * basis.svd.v.cwiseAbs().maxCoeff());
+    coefficients =
+        sparseCoefficients(samples, options.atoms, control, mostOfTraining * basis.svd.v.cwiseAbs().maxCoeff());
   warnAbout(samples, result);
   result.code = codeOf(basis, coefficients);
+  return result;
+}
+
+Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values,
+                           const ReconstructionOptions& options, const TaskControl& control) {
+  Reconstruction result = reconstructCode(basis, plan, values, options, control.between(0, 0.5));
   result.table = dictionary::decode(basis, result.code, control.between(0.5, 1), &result.cappedCount);
   return result;
 }

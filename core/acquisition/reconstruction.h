@@ -149,4 +149,10 @@ Reconstruction reconstruct(const dictionary::PrincipalComponents& basis, const S
                            const MeasuredValues& values, const ReconstructionOptions& options = {},
                            const TaskControl& control = {});
 
+/// As reconstruct(), but without decoding the code: `table` is null and `cappedCount` 0. Cost and exceptions: as there,
+/// without O(cells components).
+Reconstruction reconstructCode(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan,
+                               const MeasuredValues& values, const ReconstructionOptions& options = {},
+                               const TaskControl& control = {});
+
 }  // namespace gonio::acquisition

@@ -14,6 +14,7 @@
 #include "core/coordinates/half_difference.h"
 #include "core/math/parallel.h"
 #include "core/rendering/error_maps.h"
+#include "core/reproduction/mapped_errors.h"
 #include "core/reproduction/picture_rows.h"
 #include "core/study/study_record.h"
 
@@ -66,31 +67,35 @@ Selected selected(const PrincipalComponents& basis, SelectionMethod method, int 
   return {acquisition::planFor(basis.mapping.grid, selection.cells), seconds};
 }
 
-std::shared_ptr<const TabulatedBrdf> reconstructed(const PrincipalComponents& basis, const TabulatedBrdf& material,
-                                                   const acquisition::SamplingPlan& plan, const TaskControl& control) {
+acquisition::ReconstructionOptions publishedWithoutUncertainty() {
   acquisition::ReconstructionOptions options = acquisition::publishedReconstruction();
   options.uncertainty = false;
-  return acquisition::reconstruct(basis, plan, acquisition::measure(material, plan), options, {control.stop, {}}).table;
+  return options;
 }
 
-/// 1 / MSE of the mapped values of eq. 5.7 over the cells of the basis and the channels.
-double inverseError(const PrincipalComponents& basis, const TabulatedBrdf& material, const TabulatedBrdf& test) {
-  const dictionary::MappedCells& mapping = basis.mapping;
-  constexpr std::size_t block = 1 << 14;
-  const double sum = parallelSumBlocks(mapping.cells.size(), block, [&](std::size_t begin, std::size_t end) {
-    double part = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto &a = material.values()[mapping.cells[i]], &b = test.values()[mapping.cells[i]];
-      for (int c = 0; c < 3; ++c) {
-        // The reference of the mapping cancels in the difference.
-        const double w = mapping.weights[i];
-        const double d = std::log((w * double(a[c]) + logRelativeOffset) / (w * double(b[c]) + logRelativeOffset));
-        part += d * d;
-      }
-    }
-    return part;
-  });
-  return sum > 0 ? 3 * double(mapping.cells.size()) / sum : std::nan("");
+std::shared_ptr<const TabulatedBrdf> reconstructed(const PrincipalComponents& basis, const TabulatedBrdf& material,
+                                                   const acquisition::SamplingPlan& plan, const TaskControl& control) {
+  return acquisition::reconstruct(basis, plan, acquisition::measure(material, plan), publishedWithoutUncertainty(),
+                                  {control.stop, {}})
+      .table;
+}
+
+using Tables = std::vector<std::shared_ptr<const TabulatedBrdf>>;
+
+Tables tablesOf(const std::vector<InputMaterial>& materials, Inputs& inputs, const TaskControl& control) {
+  Tables tables;
+  for (const InputMaterial& material : materials) tables.push_back(inputs.table(material, control));
+  return tables;
+}
+
+/// Inverse MSE of the materials, each reconstructed from the samples of the plan.
+std::vector<double> inverseErrors(const PrincipalComponents& basis, const MappedMaterials& mapped, const Tables& tables,
+                                  const acquisition::SamplingPlan& plan,
+                                  const acquisition::ReconstructionOptions& options, const TaskControl& control) {
+  std::vector<dictionary::ComponentCode> codes;
+  for (const auto& table : tables)
+    codes.push_back(acquisition::reconstructCode(basis, plan, acquisition::measure(*table, plan), options).code);
+  return mapped.inverseErrors(codes, {control.stop, {}});
 }
 
 double mean(const std::vector<double>& values) {
@@ -173,6 +178,8 @@ MadeFigure makeSamplesAndComponents(const FigureRecord& record, Inputs& inputs, 
   for (int p = 5; p <= std::min(inputs.quick() ? 45 : 135, basis->count()); p += step) componentCounts.push_back(p);
   const Selected chosen = selected(*basis, SelectionMethod::simultaneousPursuit,
                                    std::min(sampleCounts.back(), basis->count()), runSeed, control);
+  const Tables tables = tablesOf(tests, inputs, control);
+  const MappedMaterials mapped(*basis, tables);
   MadeFigure made;
   std::vector<double> ms, ps, inverses;
   for (const int p : componentCounts)
@@ -180,16 +187,10 @@ MadeFigure makeSamplesAndComponents(const FigureRecord& record, Inputs& inputs, 
       if (m > int(chosen.plan.samples.size())) continue;
       acquisition::SamplingPlan first = chosen.plan;
       first.samples.resize(std::size_t(m));
-      std::vector<double> own;
-      for (const InputMaterial& test : tests) {
-        const auto table = inputs.table(test, control);
-        const acquisition::ReconstructionOptions options{
-            .ridge = acquisition::publishedRidge, .components = p, .uncertainty = false, .equalNoise = true};
-        const auto result =
-            acquisition::reconstruct(*basis, first, acquisition::measure(*table, first), options, {control.stop, {}});
-        own.push_back(inverseError(*basis, *table, *result.table));
-      }
-      ms.push_back(m), ps.push_back(p), inverses.push_back(mean(own));
+      const acquisition::ReconstructionOptions options{
+          .ridge = acquisition::publishedRidge, .components = p, .uncertainty = false, .equalNoise = true};
+      ms.push_back(m), ps.push_back(p);
+      inverses.push_back(mean(inverseErrors(*basis, mapped, tables, first, options, control)));
       control.report(0.3 + 0.7 * double(inverses.size()) / double(sampleCounts.size() * componentCounts.size()));
     }
   // A square of the picture for each pair.
@@ -267,22 +268,26 @@ MadeFigure makeErrors(const FigureRecord& record, Inputs& inputs, const TaskCont
     fewerCount = std::min<std::size_t>(80, std::size_t(std::lround(double(trainingCount) * 80 / 131)));
     std::vector<InputMaterial> part;
     for (std::size_t i = 0; i < fewerCount; ++i) part.push_back(training[i * trainingCount / fewerCount]);
-    const auto measureAll = [&](const PrincipalComponents& basis, SelectionMethod method, int trial, Errors& errors) {
+    const Tables tables = tablesOf(tests, inputs, control);
+    const auto measureAll = [&](const PrincipalComponents& basis, const MappedMaterials& mapped, SelectionMethod method,
+                                int trial, Errors& errors) {
       for (const int m : counts) {
         const Selected chosen = selected(basis, method, m, trial, control);
-        for (const InputMaterial& test : tests) {
-          const auto table = inputs.table(test, control);
-          errors.inverse[m].push_back(inverseError(basis, *table, *reconstructed(basis, *table, chosen.plan, control)));
-        }
+        const std::vector<double> own =
+            inverseErrors(basis, mapped, tables, chosen.plan, publishedWithoutUncertainty(), control);
+        errors.inverse[m].insert(errors.inverse[m].end(), own.begin(), own.end());
       }
     };
     const auto at = [&](double fraction) { return (fold + fraction) / folds; };
-    measureAll(*inputs.basis(part, control.between(at(0), at(0.15))), SelectionMethod::simultaneousPursuit, runSeed,
-               fewer);
+    {
+      const auto basis = inputs.basis(part, control.between(at(0), at(0.15)));
+      measureAll(*basis, MappedMaterials(*basis, tables), SelectionMethod::simultaneousPursuit, runSeed, fewer);
+    }
     const auto basis = inputs.basis(training, control.between(at(0.2), at(0.4)));
-    measureAll(*basis, SelectionMethod::simultaneousPursuit, runSeed, full);
+    const MappedMaterials mapped(*basis, tables);
+    measureAll(*basis, mapped, SelectionMethod::simultaneousPursuit, runSeed, full);
     for (int trial = 0; trial < trials; ++trial) {
-      measureAll(*basis, SelectionMethod::conditionNumber, runSeed + trial, searches[std::size_t(trial)]);
+      measureAll(*basis, mapped, SelectionMethod::conditionNumber, runSeed + trial, searches[std::size_t(trial)]);
       control.report(at(0.5 + 0.5 * (trial + 1) / trials));
     }
   }
