@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 /// Greedy sparse approximation of a signal as a sum of few columns of a matrix, the atoms. In double precision, on one
@@ -53,5 +54,26 @@ struct PursuitResult {
 /// finite.
 PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
                                         const PursuitOptions& options);
+
+/// The same pursuit of many signals over one set of atoms: a step updates the correlations of the residual with the
+/// atoms from the Gram matrix instead of computing them from the residual (Rubinstein, Zibulevsky and Elad 2008,
+/// "Efficient Implementation of the K-SVD Algorithm using Batch Orthogonal Matching Pursuit"). The codes are those of
+/// orthogonalMatchingPursuit(), except where rounding decides between atoms.
+class BatchPursuit {
+ public:
+  /// Keeps a reference. Cost: O(atoms^2 length); memory: 8 atoms^2 bytes.
+  explicit BatchPursuit(const AtomSet& atoms);
+
+  /// The codes of the signals begin to end - 1, the columns of `signals`. @param residuals PursuitOptions::residual of
+  /// each of these signals; empty: that of the options. O(atoms x length) per signal and O(atoms x steps) per step; the
+  /// bits depend on begin and end, since the correlations of all signals are one matrix product. @throws Error as
+  /// orthogonalMatchingPursuit().
+  std::vector<PursuitResult> code(const Eigen::MatrixXd& signals, Eigen::Index begin, Eigen::Index end,
+                                  const PursuitOptions& options, std::span<const double> residuals = {}) const;
+
+ private:
+  const AtomSet& atoms_;
+  Eigen::MatrixXd gram_;
+};
 
 }  // namespace gonio

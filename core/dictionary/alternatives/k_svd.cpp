@@ -75,11 +75,13 @@ class Learner {
 
   void code(const TaskControl& control) {
     const AtomSet atoms(atoms_);
+    const BatchPursuit pursuit(atoms);
     constexpr std::size_t block = 64;
     const auto pursue = [&](std::size_t begin, std::size_t end) {
+      std::ranges::move(pursuit.code(signals_, Index(begin), Index(end), {.steps = options_.sparsity}),
+                        codes_.begin() + std::ptrdiff_t(begin));
       for (std::size_t s = begin; s < end; ++s) {
         const auto signal = Index(s);
-        codes_[s] = orthogonalMatchingPursuit(atoms, signals_.col(signal), {.steps = options_.sparsity});
         residual_.col(signal) = signals_.col(signal);
         for (std::size_t position = 0; position < codes_[s].atoms.size(); ++position)
           residual_.col(signal) -= codes_[s].coefficients[position] * atoms_.col(codes_[s].atoms[position]);

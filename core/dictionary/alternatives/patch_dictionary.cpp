@@ -43,13 +43,13 @@ PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, doub
                       const TaskControl& control) {
   PatchCode code;
   code.patches.resize(std::size_t(patches.cols()));
+  const BatchPursuit pursuit(atoms);
   constexpr std::size_t block = 16;
   const auto pursue = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      const Eigen::VectorXd patch = patches.col(Index(p));
-      code.patches[p] =
-          orthogonalMatchingPursuit(atoms, patch, {.steps = most, .residual = fractionOf(error, patch.norm())});
-    }
+    std::vector<double> residuals;
+    for (std::size_t p = begin; p < end; ++p) residuals.push_back(fractionOf(error, patches.col(Index(p)).norm()));
+    std::ranges::move(pursuit.code(patches, Index(begin), Index(end), {.steps = most}, residuals),
+                      code.patches.begin() + std::ptrdiff_t(begin));
   };
   parallelForBlocks(code.patches.size(), block, pursue, {.stop = control.stop});
   return code;

@@ -149,18 +149,45 @@ class MatchingPursuitTest : public QObject {
     QCOMPARE(none.residualNorm, signal.norm());
   }
 
+  /// The same atoms, coefficients and residuals as signal by signal, also over atoms that nearly depend on each other:
+  /// half of them lie within 0.1 % of sums of two others.
+  void manySignalsByTheGramMatrix() {
+    MatrixXd atoms(40, 120);
+    atoms.leftCols(60) = randomMatrix(40, 60, 31);
+    for (Eigen::Index k = 0; k < 60; ++k)
+      atoms.col(60 + k) = atoms.col(k) + atoms.col((k + 7) % 60) + 1e-3 * randomMatrix(40, 1, 40 + unsigned(k));
+    const AtomSet set(atoms);
+    const MatrixXd signals = randomMatrix(40, 25, 32);
+    const std::vector<double> residuals(20, 0.01);
+    const auto codes = BatchPursuit(set).code(signals, 5, 25, {.steps = 30}, residuals);
+    QCOMPARE(codes.size(), std::size_t(20));
+    for (Eigen::Index s = 0; s < 20; ++s) {
+      const PursuitResult expected =
+          orthogonalMatchingPursuit(set, signals.col(5 + s), {.steps = 30, .residual = 0.01});
+      const PursuitResult& found = codes[std::size_t(s)];
+      QVERIFY(expected.atoms.size() > 10);
+      QVERIFY(found.atoms == expected.atoms && found.end == expected.end);
+      QVERIFY(std::abs(found.residualNorm - expected.residualNorm) < 1e-12);
+      for (std::size_t k = 0; k < found.atoms.size(); ++k)
+        QVERIFY(std::abs(found.coefficients[k] - expected.coefficients[k]) < 1e-9);
+    }
+  }
+
   void hardCase22RepeatedAndCollinearAtoms() {
     MatrixXd atoms = randomMatrix(6, 4, 14);
     MatrixXd repeated(6, 10);
     repeated << atoms, atoms, -3 * atoms.col(1), atoms.col(0) + atoms.col(2);
     const VectorXd signal = randomMatrix(6, 1, 15);
-    const PursuitResult code = orthogonalMatchingPursuit(AtomSet(repeated), signal, {.steps = 10});
-    QCOMPARE(code.atoms.size(), std::size_t(4));  // what the rank allows
-    QCOMPARE(asSet(code.atoms).size(), std::size_t(4));
-    QCOMPARE(code.end, PursuitEnd::exhausted);
-    const auto singular = test::singularValues(chosen(repeated, code.atoms));
-    QVERIFY(singular[3] > 1e-6 * singular[0]);
-    QVERIFY(std::abs(code.residualNorm - leastSquaresResidual(atoms, signal).norm()) < 1e-13);
+    const AtomSet set(repeated);
+    for (const PursuitResult& code : {orthogonalMatchingPursuit(set, signal, {.steps = 10}),
+                                      BatchPursuit(set).code(signal, 0, 1, {.steps = 10}).front()}) {
+      QCOMPARE(code.atoms.size(), std::size_t(4));  // what the rank allows
+      QCOMPARE(asSet(code.atoms).size(), std::size_t(4));
+      QCOMPARE(code.end, PursuitEnd::exhausted);
+      const auto singular = test::singularValues(chosen(repeated, code.atoms));
+      QVERIFY(singular[3] > 1e-6 * singular[0]);
+      QVERIFY(std::abs(code.residualNorm - leastSquaresResidual(atoms, signal).norm()) < 1e-13);
+    }
   }
 
   /// An atom that differs from another by 1e-9 of its length would explain the rest, with coefficients of 1e9.
