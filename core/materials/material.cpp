@@ -71,10 +71,10 @@ Material readKnownFormat(const std::filesystem::path& path, const TaskControl& c
     return readMaterial(io::FileSource(path, control.stop), control);
   } catch (const Cancelled&) {
     throw;
-  } catch (const Error& error) {
+  } catch (const Error&) {
     const std::string unread = unreadFormat(path);
     if (unread.empty()) throw;
-    throw Error("found " + unread + ", which Gonio does not read\n  " + error.what());
+    throw Error("found " + unread + ", which Gonio does not read");
   }
 }
 

@@ -75,8 +75,9 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source) {
   }
   if (const std::string unread = unreadFormat(source); verdict.empty() && !unread.empty())
     verdict = "found " + unread + ", which Gonio does not read";
-  throw Error((verdict.empty() ? "this file could not be read: it matches no format that Gonio supports" : verdict) +
-              refusals);
+  // What the other formats expect helps only if nothing is known about the file.
+  throw Error(verdict.empty() ? "this file could not be read: it matches no format that Gonio supports" + refusals
+                              : verdict);
 }
 
 namespace {

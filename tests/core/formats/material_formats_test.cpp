@@ -202,7 +202,7 @@ class MaterialFormatsTest : public QObject {
     const auto named = [](const char* file, const Bytes& bytes, const std::string& name) {
       const auto path = writeFile(std::string("materials/") + file, bytes);
       const std::string error = errorOf([&] { materials::readMaterial(path); });
-      return error.starts_with(path.string() + ": found " + name + ", which Gonio does not read\n");
+      return error == path.string() + ": found " + name + ", which Gonio does not read";
     };
     for (const char* suffix : {"pbsdf", "jdv", "rtd"})
       QVERIFY(named(("x." + std::string(suffix)).c_str(), bytesOf("words"),
@@ -220,23 +220,22 @@ class MaterialFormatsTest : public QObject {
                   "an Ansys Speos file other than .anisotropicbsdf and .brdf"));
   }
 
-  /// What is wrong comes first, in one line.
-  void theFirstLineSaysWhatIsWrong() {
-    const auto firstLine = [&](const std::filesystem::path& path) {
-      const std::string error = errorOf([&] { materials::readMaterial(path); });
-      return error.substr(0, error.find('\n'));
+  /// Where it is known what is wrong, the message is one line, without what other formats expect.
+  void oneLineSaysWhatIsWrong() {
+    const auto messageOf = [&](const std::filesystem::path& path) {
+      return errorOf([&] { materials::readMaterial(path); });
     };
     const auto empty = writeFile("materials/empty.binary", {});
-    QCOMPARE(firstLine(empty), empty.string() + ": the file is empty, expected a material");
+    QCOMPARE(messageOf(empty), empty.string() + ": the file is empty, expected a material");
     Bytes table = fileOf(formats::merlFormat);
     const std::size_t whole = table.size();
     table.resize(whole - 100);
     const auto shortened = writeFile("materials/short.binary", table);
-    QCOMPARE(firstLine(shortened), shortened.string() + ": the file is truncated: " + std::to_string(whole - 100) +
+    QCOMPARE(messageOf(shortened), shortened.string() + ": the file is truncated: " + std::to_string(whole - 100) +
                                        " bytes of " + std::to_string(whole) + " (MERL)");
     table.resize(whole + 100);
     const auto longer = writeFile("materials/long.binary", table);
-    QVERIFY(contains(firstLine(longer), "it matches no format that Gonio supports"));
+    QVERIFY(contains(messageOf(longer), "it matches no format that Gonio supports\n  MERL: "));
   }
 
   /// Three formats share the suffix .bsdf; training sets take measured files by what they are.
