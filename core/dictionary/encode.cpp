@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "core/brdf/weighted_sum.h"
@@ -221,11 +222,15 @@ std::vector<double> Encoder::dictionaryErrors(const Eigen::ArrayXf& signal, std:
 }
 
 std::array<int, 3> Encoder::chooseDictionaries(const EncodeAttempt<float>::Signals& signals,
-                                               const EncodeOptions& options, const TaskControl& control) const {
+                                               const EncodeOptions& options, int maxSparsity,
+                                               const TaskControl& control) const {
   std::array<std::vector<double>, 3> errors;
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) { errors[c] = dictionaryErrors(signals[c], options.coefficients); },
                     {.stop = control.stop, .progress = {}});
+  for (std::vector<double>& values : errors)
+    for (std::size_t d = 0; d < values.size(); ++d)
+      if (ensemble_.dictionaries[d].sparsity > maxSparsity) values[d] = std::numeric_limits<double>::infinity();
   const auto smallest = [](const std::vector<double>& values) {
     return int(std::min_element(values.begin(), values.end()) - values.begin());
   };
@@ -264,7 +269,7 @@ struct Encoder::Trial {
 
 /// In single precision: faster, and precise enough for choices whose errors differ by more than rounding.
 Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
-                              const TaskControl& control) const {
+                              int maxSparsity, const TaskControl& control) const {
   const auto geometry = GridGeometry::of(ensemble_.grid);
   Trial trial{.transform = transform, .signals = signalsOf(table, transform, *geometry, isScaled(options))};
   EncodeAttempt<float>::Signals signals;
@@ -279,7 +284,7 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
                         trial.channels[c].largestValue = largestValue(table, int(c));
                     },
                     {.stop = control.stop, .progress = {}});
-  const std::array<int, 3> chosen = chooseDictionaries(signals, options, control);
+  const std::array<int, 3> chosen = chooseDictionaries(signals, options, maxSparsity, control);
   EncodeAttempt<float>::Dictionaries dictionaries;
   for (std::size_t c = 0; c < 3; ++c) {
     trial.channels[c].dictionary = chosen[c];
@@ -289,6 +294,19 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
   attempt.refine(std::min(options.trialRefinements, options.refinements), control);
   trial.candidate = candidate(trial, attempt.coefficients(), table, options);
   return trial;
+}
+
+Encoder::Trial Encoder::best(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
+                             const TaskControl& control) const {
+  const std::vector<Dictionary>& all = ensemble_.dictionaries;
+  const auto isCommon = [](const Dictionary& d) { return d.sparsity <= commonSparsity; };
+  Trial any = tried(transform, table, options, std::numeric_limits<int>::max(), control);
+  if (options.refinements == 0 || !table.isReciprocal() || std::ranges::none_of(all, isCommon) ||
+      std::ranges::all_of(any.channels,
+                          [&](const ChannelCode& channel) { return isCommon(all[std::size_t(channel.dictionary)]); }))
+    return any;
+  Trial common = tried(transform, table, options, commonSparsity, control);
+  return common.candidate.gammaError < any.candidate.gammaError ? common : any;
 }
 
 /// All rounds in double precision, so that rounding does not decide between coefficients of nearly equal size. If the
@@ -358,15 +376,15 @@ EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& op
   const TaskControl silent{.stop = control.stop, .progress = {}};
   parallelForBlocks(
       trials.size(), 1,
-      [&](std::size_t t, std::size_t) { trials[t] = tried(options.transforms[t], table, options, silent); },
+      [&](std::size_t t, std::size_t) { trials[t] = best(options.transforms[t], table, options, silent); },
       control.between(0, trialFraction));
-  Trial& best = *std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
+  Trial& selected = *std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
     return a.candidate.gammaError < b.candidate.gammaError;
   });
-  best.candidate = refined(best, table, options, silent);
+  selected.candidate = refined(selected, table, options, silent);
 
   EncodeResult result;
-  result.code = best.candidate.code;
+  result.code = selected.candidate.code;
   for (Trial& trial : trials) result.candidates.push_back(std::move(trial.candidate));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   control.report(1);

@@ -57,6 +57,10 @@ struct EncodeOptions {
 /// precision, 3.3 kB for the factors in single precision).
 EncodeOptions publishedEncodeOptions(std::size_t coefficients = 262);
 
+/// The largest sparsity of dictionaries that are learned from reciprocal materials by default. Those for more
+/// coefficients are learned from both orders of the directions (resources/ATTRIBUTIONS.md).
+inline constexpr int commonSparsity = 256;
+
 /// The code of one transform.
 struct EncodedCandidate {
   SparseCode code;
@@ -90,7 +94,9 @@ class Encoder {
 
   /// For each transform, chooses the dictionary with the most energy in its largest coefficients: with
   /// EncodeOptions::sharedDictionary one for all channels, which makes the file smaller, unless separate dictionaries
-  /// have at least a quarter less squared error. Takes these coefficients (the exact minimiser, because the
+  /// have at least a quarter less squared error. For a reciprocal table, dictionaries for many coefficients
+  /// (commonSparsity) also have to be better than the best of the others after the first rounds, by the gamma error:
+  /// the energy includes the invalid cells. Takes these coefficients (the exact minimiser, because the
   /// dictionaries are orthonormal). Then refinement rounds replace the values of invalid cells, which are free, by
   /// those that the code gives them, so that the coefficients represent the valid cells. This is iterative hard
   /// thresholding on the valid cells, with the momentum of Beck and Teboulle 2009, "A Fast Iterative
@@ -108,9 +114,12 @@ class Encoder {
   /// Of each channel, as in ChannelCode.
   using ChannelCoefficients = std::array<std::vector<Coefficient<float>>, 3>;
   struct Trial;
-  /// The first rounds of a transform.
-  Trial tried(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
+  /// The first rounds of a transform. @param maxSparsity of the dictionaries among which it chooses.
+  Trial tried(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options, int maxSparsity,
               const TaskControl& control) const;
+  /// The better one of the trials over all dictionaries and, if it chose another, over those of commonSparsity.
+  Trial best(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
+             const TaskControl& control) const;
   EncodedCandidate refined(const Trial& trial, const TabulatedBrdf& table, const EncodeOptions& options,
                            const TaskControl& control) const;
   EncodedCandidate candidate(const Trial& trial, const ChannelCoefficients& coefficients, const TabulatedBrdf& table,
@@ -118,9 +127,9 @@ class Encoder {
   bool isScaled(const EncodeOptions& options) const { return options.scaled && ensemble_.scaled; }
   /// The squared error of a signal over each dictionary.
   std::vector<double> dictionaryErrors(const Eigen::ArrayXf& signal, std::size_t coefficients) const;
-  /// For each channel.
+  /// For each channel, with at most this sparsity.
   std::array<int, 3> chooseDictionaries(const std::array<Eigen::ArrayXf, 3>& signals, const EncodeOptions& options,
-                                        const TaskControl& control) const;
+                                        int maxSparsity, const TaskControl& control) const;
 
   const Ensemble& ensemble_;
   std::vector<std::array<Eigen::MatrixXf, 3>> matrices_;  ///< of the dictionaries

@@ -64,8 +64,8 @@ inline double cellScalingOf(const HalfDifferenceGrid& grid, const GridGeometry& 
          geometry.cellScaling[2][Eigen::Index(cell / (n0 * n1))];
 }
 
-inline Ensemble randomEnsemble(int dictionaries) {
-  std::mt19937_64 random(1);
+inline Ensemble randomEnsemble(int dictionaries, unsigned seed = 1) {
+  std::mt19937_64 random(seed);
   Ensemble ensemble{.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}};
   for (int d = 0; d < dictionaries; ++d)
     ensemble.dictionaries.push_back({randomDictionary(modeSizes(smallGrid), random), 10});

@@ -91,6 +91,38 @@ class EncodeTest : public QObject {
     }
   }
 
+  /// Reciprocal tables: dictionaries for more coefficients than commonSparsity also have to be better after the first
+  /// rounds, whatever the energy, which includes the invalid cells.
+  void dictionariesOfBothOrdersHaveToBeBetterAfterRounds() {
+    const TrainingMaterials materials = ggxMaterials(4);
+    EncodeOptions options{.coefficients = 30, .transforms = {DataTransform::logPlus}};
+    options.refinements = options.trialRefinements;
+    int replaced = 0, stayed = 0;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      Ensemble common = randomEnsemble(2, seed), large = randomEnsemble(2, 100 + seed);
+      for (Dictionary& dictionary : common.dictionaries) dictionary.sparsity = commonSparsity;
+      for (Dictionary& dictionary : large.dictionaries) dictionary.sparsity = 1024;
+      const Ensemble both = joined(common, large);
+      for (std::size_t m = 0; m < 4; ++m) {
+        const auto table = materials.load(m);
+        const auto errorOver = [&](const Ensemble& ensemble) {
+          return Encoder(ensemble).encode(*table, options).candidates[0].gammaError;
+        };
+        EncodeOptions energy = options;
+        energy.refinements = 0;
+        const bool isLargeByEnergy = Encoder(both).encode(*table, energy).code.channels[0].dictionary >= 2;
+        const double ofCommon = errorOver(common), ofLarge = errorOver(large);
+        const bool isLarge = isLargeByEnergy && ofLarge <= ofCommon;
+        const EncodeResult found = Encoder(both).encode(*table, options);
+        QCOMPARE(found.code.channels[0].dictionary >= 2, isLarge);
+        QVERIFY(std::abs(found.candidates[0].gammaError / (isLarge ? ofLarge : ofCommon) - 1) < 1e-6);
+        replaced += isLargeByEnergy && !isLarge;
+        stayed += isLarge;
+      }
+    }
+    QVERIFY2(replaced > 0 && stayed > 0, qPrintable(QString("%1 replaced, %2 stayed").arg(replaced).arg(stayed)));
+  }
+
   /// Three materials as the channels of one, and a dictionary for each, of which the first atoms are its principal
   /// ones.
   void unlikeChannelsHaveDictionariesOfTheirOwn() {
