@@ -16,7 +16,8 @@ import gonio
 PAGE = pathlib.Path(__file__).resolve().parents[1] / "docs" / "python.md"
 MARKER = "<!-- From here on made by scripts/python_reference.py. -->\n"
 SECTIONS = {
-    "Materials": ["open", "library", "from_table", "grid_directions", "check", "set_threads", "Material", "GridDirections",
+    "Materials": ["open", "library", "from_table", "grid_directions", "coordinates", "to_coordinates",
+                  "from_coordinates", "check", "set_threads", "Material", "GridDirections",
                   "LibraryEntry", "Check"],
     "Models, fits, edits": ["models", "fit", "fit_all", "edit", "edit_factors", "artist_controls", "metrics", "Model",
                             "Parameter", "Fit", "Metric"],
@@ -24,7 +25,7 @@ SECTIONS = {
                                       "open_code", "dictionary", "train_dictionary", "learn_patches", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "PatchDictionary", "PatchCode", "Interpolation",
                                       "train_neural", "neural_brdf", "open_neural", "NeuralBrdf"],
     "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "plan_factors", "open_factor_readings",
-                    "predict_from_factors", "bundled_basis", "learn_basis", "open_basis", "separate", "learn_separated_basis",
+                    "predict_from_factors", "bundled_basis", "learn_basis", "learn_atoms", "open_basis", "separate", "learn_separated_basis",
                     "SeparatedBasis", "Plan", "Readings", "Reconstruction",
                     "FactorPlan", "FactorPrediction", "Basis"],
     "Images, studies, exports": ["render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison",

@@ -74,7 +74,7 @@ constexpr const char* pdvMethod = "pdv";
 constexpr std::size_t bytesOfTenTerms = 44'680;  ///< of a .pdv file in the form with three curves
 
 constexpr std::array<const char*, 2> formNames{"2d", "3d"};  // in the order of PdvForm
-constexpr const char *nodesOfMaterial = "material", *nodesOfLibrary = "library";
+constexpr const char *nodesOfMaterial = "material", *nodesOfLibrary = "library", *printedNodes = "printed";
 
 struct FactorArguments {
   std::string material, form = formNames[1], transform{dataTransformNames[0]}, out, decode, swapF1, swapF2;
@@ -98,7 +98,9 @@ struct FactorArguments {
             .transform = DataTransform(std::ranges::find(dataTransformNames, transform) - dataTransformNames.begin()),
             .terms = count,
             .weights = PdvWeights(std::ranges::find(pdvWeightNames, weights) - pdvWeightNames.begin()),
-            .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes() : std::vector<double>()};
+            .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes()
+                              : deviations == printedNodes ? libraryDeviationNodes(DataTransform::none)
+                                                           : std::vector<double>()};
   }
   /// Whether options other than form, transform and terms change the factorisation.
   bool choosesNodesOrWeights() const {
@@ -236,10 +238,11 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
                                      "Weights of the cells: projected-solid-angle, or equal, as in the papers "
                                      "(projected-solid-angle)");
   weights->check(CLI::IsMember(std::vector<std::string>(pdvWeightNames.begin(), pdvWeightNames.end())));
-  auto* deviations =
-      command.add_option("--deviations", options->deviations,
-                         "Nodes of |Dp|: adapted to the material, or common to the bundled library (material)");
-  deviations->check(CLI::IsMember({nodesOfMaterial, nodesOfLibrary}));
+  auto* deviations = command.add_option(
+      "--deviations", options->deviations,
+      "Nodes of |Dp|: material, adapted to the material; library, common to the bundled library; printed, the "
+      "same with the energy rho instead of ln(1 + rho), as eq. 4.24 is printed (material)");
+  deviations->check(CLI::IsMember({nodesOfMaterial, nodesOfLibrary, printedNodes}));
   return {
       terms,
       form,

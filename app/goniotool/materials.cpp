@@ -14,10 +14,20 @@
 namespace gonio::tool {
 
 study::LearnedBasis basisOfSources(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
-                                   int components, const Tool& tool, materials::BasisPrecision precision) {
-  const std::vector<std::string> files = study::trainingFilesOrLibrary(sources, excluded);
+                                   int components, const Tool& tool, materials::BasisPrecision precision,
+                                   const std::string& materialClass) {
+  const std::vector<std::string> files =
+      study::filesOfClass(study::trainingFilesOrLibrary(sources, excluded), study::materialClassNamed(materialClass),
+                          tool.control("classifying the training materials"));
   return study::learnedBasis(files, components, precision,
                              tool.control("learning from " + std::to_string(files.size()) + " materials"));
+}
+
+void addClassOption(CLI::App& command, std::string& materialClass) {
+  command
+      .add_option("--class", materialClass, "Use only the training materials of a class: all, diffuse or glossy (all)")
+      ->check(
+          CLI::IsMember(std::vector<std::string>(study::materialClassNames.begin(), study::materialClassNames.end())));
 }
 
 std::string trainingSetHelp(const std::string& title) {

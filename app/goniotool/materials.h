@@ -12,12 +12,17 @@
 #include "core/documents/open_material.h"
 #include "core/materials/encode.h"
 #include "core/study/learned_basis.h"
+#include "core/study/material_class.h"
 
 namespace gonio::tool {
 
-/// study::learnedBasis() of the materials of study::trainingFilesOrLibrary().
+/// study::learnedBasis() of the materials of study::trainingFilesOrLibrary() of a class.
 study::LearnedBasis basisOfSources(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
-                                   int components, const Tool& tool, materials::BasisPrecision precision);
+                                   int components, const Tool& tool, materials::BasisPrecision precision,
+                                   const std::string& materialClass = std::string(study::materialClassNames[0]));
+
+/// Adds the option --class, the class of the training materials.
+void addClassOption(CLI::App& command, std::string& materialClass);
 
 /// The help of an option that names training materials, e.g. "Training set: .binary, .bsdf or .bin files, or folders of
 /// them"; `title` is the part before the colon.

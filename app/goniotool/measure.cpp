@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -119,17 +120,20 @@ int measureCurves(const MeasureFactorsArguments& options, const Tool& tool) {
   const FactorSupport support = supportOf(curves);
   const auto predicted = predictFromFactors(curves, factorBoundNamed(options.bound));
 
+  const auto further = std::size_t(std::ranges::count(readings.plan.curves, FactorCurve::further));
   Json json{{"axes", options.axes},
             {"fixedAngle", degrees(curves.fixedAngle)},
             {"samples", readings.plan.curves.size()},
             {"along", curves.angles.size()},
             {"across", curves.distances.size()},
+            {"further", further},
             {"blocked", readings.plan.blocked},
             {"bound", options.bound},
             {"support", supportJson(curves, support)}};
   std::string text = std::to_string(curves.angles.size()) + " readings in the mirror direction, " +
                      std::to_string(curves.distances.size()) + " around it at " + number(degrees(curves.fixedAngle)) +
                      " degrees";
+  if (further > 0) text += ", " + std::to_string(further) + " at other angles";
   text += readings.plan.blocked > 0
               ? ", " + std::to_string(readings.plan.blocked) + " left out (unreachable by the rig)\n"
               : "\n";
@@ -187,8 +191,9 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
   command
       .add_option(
           "--factors", options->axes,
-          "Instead of a plan, measure two curves over these axes and predict the material: projected-deviation, "
-          "symmetric-deviation, half-difference or half-out")
+          "Instead of a plan, measure two curves and predict the material. adaptive (recommended) fits it to all "
+          "readings, also at further angles; projected-deviation, symmetric-deviation, half-difference and half-out "
+          "predict it as a product of two curves over these axes")
       ->check(CLI::IsMember(namesOf(acquisition::factorAxesNames)));
   command
       .add_option("--fixed-angle", options->fixedDegrees,
@@ -196,7 +201,10 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
                   "direction are taken, degrees (60)")
       ->check(CLI::Range(0.0, 89.9));
   command
-      .add_option("--angles", options->angles, "Number of readings in the mirror direction, one for each angle (90)")
+      .add_option(
+          "--angles", options->angles,
+          "Number of readings in the mirror direction, one for each angle; with adaptive axes only the sum with "
+          "--distances counts (90)")
       ->check(CLI::Range(2, 2000));
   command
       .add_option("--distances", options->distances,
@@ -213,10 +221,11 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
                   outputHelp("File to write: the predicted material") + ", or its factors (.pdv)")
       ->group(outputGroup);
   command
-      .add_option("--bound", options->bound,
-                  "Upper bound of the prediction: readings or none. readings applies two limits to the product of "
-                  "the curves: the larger of the interpolated readings at the same angle (in the mirror direction) and "
-                  "at the same distance (around it), and the value with light and viewer exchanged (readings)")
+      .add_option(
+          "--bound", options->bound,
+          "Upper bound of the prediction: readings or none. readings limits the prediction by the larger of the "
+          "interpolated readings at the same angle (in the mirror direction) and at the same distance (around "
+          "it), and (not with adaptive axes) by the value with light and viewer exchanged (readings)")
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }
 

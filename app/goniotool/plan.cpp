@@ -10,9 +10,13 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
+#include "core/acquisition/atom_components.h"
+#include "core/acquisition/dictionary_reconstruction.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/io/atomic_file.h"
+#include "core/materials/dictionary_file.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
@@ -20,9 +24,13 @@ namespace {
 
 using namespace acquisition;
 
+/// What directions are selected over: the principal components of the training set, or the atoms of dictionaries.
+constexpr std::array signalSources{"components", "dictionaries"};
+
 struct PlanArguments {
   std::vector<std::string> train, excluded, forbidden;
-  std::string out, method{selectionMethodNames[0]};
+  std::string over{signalSources[0]}, dictionary;  ///< empty: the bundled one
+  std::string out, method{selectionMethodNames[0]}, materialClass{study::materialClassNames[0]};
   SelectionOptions selection;
   int basisComponents = 0;
   double maxPolarDegrees = 85, separationDegrees = 0;
@@ -116,7 +124,54 @@ void report(const PlanArguments& options, const SamplingPlan& plan, const Sample
             (selection.warning.empty() ? "" : selection.warning + "\n"));
 }
 
+/// Over the atoms of dictionaries: no basis is written, since reconstruct --method dictionaries learns its prior
+/// itself.
+int planOverDictionaries(const PlanArguments& options, const Tool& tool) {
+  const SelectionOptions chosen = selectionOptions(options);
+  io::checkWritable(options.out);
+  const auto dictionary =
+      options.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(options.dictionary);
+  const std::vector<std::string> files =
+      study::filesOfClass(study::trainingFilesOrLibrary(options.train, options.excluded),
+                          study::materialClassNamed(options.materialClass), tool.control("classifying"));
+  const auto training = study::trainingMaterials(files, dictionary->ensemble.grid);
+  auto start = std::chrono::steady_clock::now();
+  const auto prior = acquisition::learnDictionaryPrior(
+      dictionary->ensemble, training, {}, tool.control("learning from " + std::to_string(files.size()) + " materials"));
+  const auto components = acquisition::atomComponents(
+      dictionary->ensemble, prior, std::max({defaultAtomSignals, chosen.samples, usedComponents(chosen)}),
+      tool.control("decomposing atoms"));
+  const double trainingSeconds = secondsSince(start);
+  start = std::chrono::steady_clock::now();
+  const SampleSelection selection = selectSamples(components, chosen, tool.control("choosing directions"));
+  const double seconds = secondsSince(start);
+  SamplingPlan plan = planFor(components.mapping.grid, selection.cells);
+  plan.method = options.method + ", dictionaries";
+  acquisition::writePlan(plan, options.out,
+                         {"dictionaries, training set: " + std::to_string(files.size()) + " materials"});
+  Json json{{"samples", plan.samples.size()},
+            {"method", options.method},
+            {"over", options.over},
+            {"seconds", seconds},
+            {"trainingSeconds", trainingSeconds},
+            {"materials", files.size()},
+            {"signals", components.svd.v.rows()},
+            {"conditionNumber", decibelsJson(selection.conditionNumber)},
+            {"residuals", selection.residuals},
+            {"travel", travelDegrees(plan)},
+            {"out", options.out}};
+  if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
+  print(tool, json,
+        options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " over " +
+            std::to_string(components.svd.v.rows()) + " atoms in " + number(seconds) + " s, after " +
+            number(trainingSeconds) + " s of learning from " + std::to_string(files.size()) + " materials\n" +
+            (selection.warning.empty() ? "" : selection.warning + "\n"));
+  return 0;
+}
+
 int plan(const PlanArguments& options, const Tool& tool) {
+  if (options.over == signalSources[1]) return planOverDictionaries(options, tool);
+  if (!options.dictionary.empty()) throw UsageError("plan: --dictionary needs --over dictionaries");
   const SelectionOptions chosen = selectionOptions(options);
   const std::filesystem::path basisPath = basisBeside(options.out);
   if (basisPath == std::filesystem::path(options.out))
@@ -129,7 +184,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
       options.basisComponents > 0 ? options.basisComponents : std::max(study::defaultBasisComponents, used);
   const auto precision = options.single ? materials::BasisPrecision::single : materials::BasisPrecision::half;
   const study::LearnedBasis learned =
-      basisOfSources(options.train, options.excluded, std::max(wanted, used), tool, precision);
+      basisOfSources(options.train, options.excluded, std::max(wanted, used), tool, precision, options.materialClass);
   const materials::BasisFile& basis = *learned.basis;
   const auto start = std::chrono::steady_clock::now();
   const SampleSelection selection = selectSamples(basis.components, chosen, tool.control("choosing directions"));
@@ -158,6 +213,16 @@ void addPlan(CLI::App& app, Tool& tool) {
   command->add_option("--exclude", options->excluded, "Names of materials to exclude")
       ->type_name("NAME")
       ->delimiter(',');
+  addClassOption(*command, options->materialClass);
+  command
+      ->add_option("--over", options->over,
+                   "Signals over which directions are selected: components, the channels of the training materials; or "
+                   "dictionaries, the atoms with the largest variances, for reconstruct --method dictionaries "
+                   "(components)")
+      ->check(CLI::IsMember(std::vector<std::string>(signalSources.begin(), signalSources.end())));
+  command
+      ->add_option("--dictionary", options->dictionary, "Dictionary file of --over dictionaries (bundled dictionary)")
+      ->type_name("FILE");
   command->add_option("--samples", selection.samples, "Number of direction pairs")
       ->required()
       ->check(CLI::Range(1, 4096));

@@ -73,7 +73,8 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
 using namespace acquisition;
 
 struct ReconstructArguments {
-  std::string plan, values, out, basis, ridge, method, uncertainty, dictionary;
+  std::string plan, values, out, basis, ridge, method, uncertainty, dictionary,
+      materialClass{study::materialClassNames[0]};
   std::vector<std::string> train, excluded;
   ReconstructionOptions reconstruction;
   bool asPublished = false;
@@ -104,7 +105,7 @@ ReconstructionOptions reconstructionOptions(const ReconstructArguments& options)
   if (!options.ridge.empty()) result.ridge = ridgeOf(options.ridge);
   if (!options.ridge.empty() && result.method != ReconstructionMethod::ridge)
     throw UsageError("reconstruct: --ridge needs --method ridge");
-  result.uncertainty = result.method != ReconstructionMethod::sparse;
+  result.uncertainty = hasUncertainty(result.method);
   if (result.atoms > 0 && result.method != ReconstructionMethod::sparse)
     throw UsageError("reconstruct: --atoms needs --method sparse");
   if (result.equalNoise && result.method != ReconstructionMethod::ridge)
@@ -132,7 +133,7 @@ std::shared_ptr<const materials::BasisFile> basisOf(const ReconstructArguments& 
     const study::LearnedBasis learned =
         basisOfSources(options.train, options.excluded,
                        components > 0 ? components : std::max(study::defaultBasisComponents, int(plan.samples.size())),
-                       tool, materials::BasisPrecision::half);
+                       tool, materials::BasisPrecision::half, options.materialClass);
     trainingSeconds = learned.seconds;
     return learned.basis;
   }
@@ -239,11 +240,14 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       ->type_name("NAME")
       ->delimiter(',')
       ->needs(train);
+  addClassOption(*command, options->materialClass);
+  command->get_option("--class")->needs(train);
   command
       ->add_option(
           "--method", options->method,
-          "Method: local-ridge, ridge or sparse, over the principal components of the basis; or dictionaries, over the "
-          "atoms of --dictionary (needs --train) (local-ridge; ridge with --ridge or --equal-noise)")
+          "Method: local-ridge, ridge, sparse or basis-pursuit, over the principal components of the basis; or "
+          "dictionaries, over the atoms of --dictionary (needs --train) (local-ridge; ridge with --ridge or "
+          "--equal-noise)")
       ->check(CLI::IsMember(reconstructionMethods()));
   command
       ->add_option("--dictionary", options->dictionary,
@@ -276,7 +280,8 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       for (const char* of : {"--method", "--ridge", "--components", "--atoms", "--equal-noise"})
         if (options->asPublished && command->count(of) > 0)
           throw UsageError(std::string("reconstruct: --as-published sets ") + of + "; leave out one of them");
-      for (const char* of : {"--basis", "--ridge", "--components", "--atoms", "--equal-noise", "--uncertainty"})
+      for (const char* of :
+           {"--basis", "--ridge", "--components", "--atoms", "--equal-noise", "--uncertainty", "--class"})
         if (options->method == dictionariesMethod && command->count(of) > 0)
           throw UsageError(std::string("reconstruct: ") + of + " cannot be used with --method dictionaries");
       return reconstruct(*options, tool);

@@ -3,6 +3,7 @@
 #include "core/acquisition/factor_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -24,7 +25,7 @@ FactorAxes factorAxesNamed(std::string_view name) {
   const auto found = std::ranges::find(factorAxesNames, name);
   if (found == factorAxesNames.end())
     throw Error("factor axes: found '" + std::string(name) +
-                "', expected projected-deviation, symmetric-deviation, half-difference or half-out");
+                "', expected projected-deviation, symmetric-deviation, half-difference, half-out or adaptive");
   return FactorAxes(found - factorAxesNames.begin());
 }
 
@@ -35,6 +36,7 @@ FactorCoordinates toFactorCoordinates(FactorAxes axes, const DirectionPair& pair
       return {at.thetaR, at.deviation};
     }
     case FactorAxes::symmetricDeviation:
+    case FactorAxes::adaptive:
       return {toHalfDifference(pair.wi, pair.wo).thetaD, toProjectedDeviation(pair.wi, pair.wo).deviation};
     case FactorAxes::halfDifference: {
       const HalfDifference at = toHalfDifference(pair.wi, pair.wo);
@@ -83,9 +85,9 @@ void checkOptions(const FactorPlanOptions& o) {
                 " degrees, expected from 0 to 180");
 }
 
-/// Appends the reading at a place, or counts it as blocked.
-void plan(FactorCurve curve, const FactorCoordinates& place, const FactorPlanOptions& options, FactorPlan& result) {
-  const std::optional<DirectionPair> arms = fromFactorCoordinates(options.axes, place);
+/// Appends a reading, or counts it as blocked.
+void append(FactorCurve curve, const std::optional<DirectionPair>& arms, const FactorPlanOptions& options,
+            FactorPlan& result) {
   const double lowest = std::cos(options.maxPolarAngle) * (1 - 1e-9);
   if (!arms || arms->wi.z < lowest || arms->wo.z < lowest ||
       glm::length(arms->wi - arms->wo) < 2 * std::sin(options.minSeparation / 2)) {
@@ -97,24 +99,70 @@ void plan(FactorCurve curve, const FactorCoordinates& place, const FactorPlanOpt
   result.curves.push_back(curve);
 }
 
+void appendCurves(int angles, int distances, const FactorPlanOptions& options, FactorPlan& result) {
+  for (int i = 0; i < angles; ++i)
+    append(FactorCurve::along, fromFactorCoordinates(options.axes, {options.maxPolarAngle * i / (angles - 1), 0}),
+           options, result);
+  const double last = isDeviation(options.axes) ? 2 : halfPi;
+  for (int j = 0; j < distances; ++j) {
+    const double fraction = double(j) / (distances - 1);
+    append(FactorCurve::across, fromFactorCoordinates(options.axes, {options.fixedAngle, last * fraction * fraction}),
+           options, result);
+  }
+}
+
+/// Readings with the viewer at one angle, three tenths of them between the mirror direction and the horizon: evenly
+/// spaced in the square root of the distance, without the mirror direction itself.
+void appendFurther(double viewer, int count, const FactorPlanOptions& options, FactorPlan& result) {
+  constexpr double farthestLight = radians(80);  // beyond the viewer
+  const double mirror = -std::sin(viewer), highest = std::sin(options.maxPolarAngle);
+  const int beyond = int(std::lround(0.3 * count));
+  const auto appendSide = [&](int readings, double end) {
+    for (int i = 1; i <= readings; ++i) {
+      const double fraction = double(i) / readings;
+      const double x = mirror + (end - mirror) * fraction * fraction;
+      const DirectionPair arms{{x, 0, std::sqrt(std::max(0.0, 1 - x * x))}, fromSpherical(viewer, 0)};
+      append(FactorCurve::further, arms, options, result);
+    }
+  };
+  appendSide(count - beyond, std::min(highest, std::sin(farthestLight)));
+  appendSide(beyond, -highest);
+}
+
+/// The angles of the viewer for `further` readings: as many as the number of readings allows.
+std::vector<double> furtherAngles(int readings, double fixedAngle) {
+  constexpr std::array angles{25.0, 75.0, 42.0, 10.0, 52.0};  // by importance
+  constexpr int readingsPerAngle = 20;
+  const int count = std::clamp(readings / readingsPerAngle, 1, int(angles.size()));
+  std::vector<double> result;
+  for (int i = 0; i < count; ++i)
+    if (const double angle = radians(angles[std::size_t(i)]); std::abs(angle - fixedAngle) > radians(5))
+      result.push_back(angle);
+  std::ranges::sort(result);
+  return result;
+}
+
 }  // namespace
 
 FactorPlan planFactors(const FactorPlanOptions& options) {
   checkOptions(options);
   FactorPlan result{.axes = options.axes, .plan = {}, .curves = {}};
   result.plan.method = factorMethod(options.axes);
-  for (int i = 0; i < options.angles; ++i)
-    plan(FactorCurve::along, {options.maxPolarAngle * i / (options.angles - 1), 0}, options, result);
-  const std::size_t along = result.curves.size();
-  const double last = isDeviation(options.axes) ? 2 : halfPi;
-  for (int j = 0; j < options.distances; ++j) {
-    const double fraction = double(j) / (options.distances - 1);
-    plan(FactorCurve::across, {options.fixedAngle, last * fraction * fraction}, options, result);
+  if (options.axes == FactorAxes::adaptive) {
+    const int readings = options.angles + options.distances;
+    const std::vector<double> viewers = furtherAngles(readings, options.fixedAngle);
+    const int along = std::max(2, int(std::lround(readings * 2.0 / 9)));
+    const int each = std::max(0, (readings - 2 * along) / int(viewers.size()));
+    appendCurves(along, std::max(2, readings - along - each * int(viewers.size())), options, result);
+    for (const double viewer : viewers) appendFurther(viewer, each, options, result);
+  } else {
+    appendCurves(options.angles, options.distances, options, result);
   }
-  if (along == 0 || along == result.curves.size())
-    throw Error("factor measurement: the rig reaches no reading of the curve \"" +
-                std::string(factorCurveNames[std::size_t(along == 0 ? FactorCurve::along : FactorCurve::across)]) +
-                "\": each is below the horizon, beyond the maximum polar angle or obstructed by the other arm");
+  for (const FactorCurve curve : {FactorCurve::along, FactorCurve::across})
+    if (std::ranges::find(result.curves, curve) == result.curves.end())
+      throw Error("factor measurement: the rig reaches no reading of the curve \"" +
+                  std::string(factorCurveNames[std::size_t(curve)]) +
+                  "\": each is below the horizon, beyond the maximum polar angle or obstructed by the other arm");
   return result;
 }
 
@@ -155,7 +203,7 @@ void writeSample(io::CsvWriter& csv, const PlannedSample& sample, FactorCurve cu
 FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
   const auto found = std::ranges::find(factorCurveNames, name);
   if (found == factorCurveNames.end())
-    throw Error(io::lineText(row) + ": found '" + name + "' in the column curve, expected along or across");
+    throw Error(io::lineText(row) + ": found '" + name + "' in the column curve, expected along, across or further");
   return FactorCurve(found - factorCurveNames.begin());
 }
 

@@ -27,11 +27,15 @@ enum class FactorAxes {
   /// of projectedDeviation: in the mirror direction theta_d is theta_R.
   symmetricDeviation,
   halfDifference,  ///< theta_d, theta_h
-  halfOut          ///< theta_o, theta_h
+  halfOut,         ///< theta_o, theta_h
+  /// theta_d, and a distance between |Dp| and theta_h that the readings choose: the material is fitted to all readings
+  /// together (reading_surface.h). Not in the paper. The readings are those of projectedDeviation, but fewer on each
+  /// curve, and curves across at further angles. FactorMeasurement has the curves of symmetricDeviation.
+  adaptive
 };
 /// Names in JSON, in files and on the command line, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 4> factorAxesNames{"projected-deviation", "symmetric-deviation",
-                                                                 "half-difference", "half-out"};
+inline constexpr std::array<std::string_view, 5> factorAxesNames{"projected-deviation", "symmetric-deviation",
+                                                                 "half-difference", "half-out", "adaptive"};
 /// @throws Error that lists the names.
 FactorAxes factorAxesNamed(std::string_view name);
 
@@ -44,16 +48,20 @@ FactorCoordinates toFactorCoordinates(FactorAxes axes, const DirectionPair& pair
 
 /// Whether the coordinates do not change when light and viewer are exchanged.
 inline bool areReciprocal(FactorAxes axes) {
-  return axes == FactorAxes::symmetricDeviation || axes == FactorAxes::halfDifference;
+  return axes == FactorAxes::symmetricDeviation || axes == FactorAxes::halfDifference || axes == FactorAxes::adaptive;
 }
 /// Whether the distance is |Dp|, otherwise theta_h.
 inline bool isDeviation(FactorAxes axes) {
-  return axes == FactorAxes::projectedDeviation || axes == FactorAxes::symmetricDeviation;
+  return axes == FactorAxes::projectedDeviation || axes == FactorAxes::symmetricDeviation ||
+         axes == FactorAxes::adaptive;
 }
+/// The axes whose `across` curve has one angle: theta_d of a reading beside the mirror direction is not the fixed
+/// angle, theta_R is.
+inline FactorAxes readAxes(FactorAxes axes) { return isDeviation(axes) ? FactorAxes::projectedDeviation : axes; }
 
 /// The pair of directions in the plane of incidence with these coordinates; the light is between the mirror direction
-/// and the viewer, or beyond the viewer. For symmetricDeviation the angle is theta_R here, not theta_d, because its
-/// readings are those of projectedDeviation. None if no light above the horizon exists. O(1).
+/// and the viewer, or beyond the viewer. The coordinates are those of readAxes(). None if no light above the horizon
+/// exists. O(1).
 std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const FactorCoordinates& place);
 
 // The readings of a factor measurement. A goniometer with two arms in the plane of incidence measures two curves:
@@ -62,18 +70,21 @@ std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const Factor
 // Vector Parameterization"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
 // Acquisition", section 5.2.1).
 
-/// The two curves of a factor measurement.
+/// The two curves of a factor measurement, and readings beside them.
 enum class FactorCurve {
-  along,  ///< in the mirror direction, over the angle
-  across  ///< at the fixed angle, over the distance from the mirror direction
+  along,   ///< in the mirror direction, over the angle
+  across,  ///< at the fixed angle, over the distance from the mirror direction
+  further  ///< at any directions; used by FactorAxes::adaptive alone
 };
 /// Names in files, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 2> factorCurveNames{"along", "across"};
+inline constexpr std::array<std::string_view, 3> factorCurveNames{"along", "across", "further"};
 
 struct FactorPlanOptions {
   FactorAxes axes = FactorAxes::projectedDeviation;
   double fixedAngle = radians(60);  ///< of the `across` curve: theta_R, theta_d or theta_o, rad
-  int angles = 90;     ///< number of `along` readings, evenly spaced in the angle, from 0 to maxPolarAngle; [2, 2000]
+  /// Number of `along` readings, evenly spaced in the angle, from 0 to maxPolarAngle; [2, 2000]. For adaptive axes only
+  /// the sum angles + distances counts.
+  int angles = 90;
   int distances = 90;  ///< number of `across` readings, evenly spaced in the square root of the distance; [2, 2000]
   double maxPolarAngle = radians(89);  ///< maximum polar angle of both arms, rad, (0, pi/2)
   double minSeparation = radians(2);   ///< minimum angle between the arms, rad; below it one arm occludes the other
@@ -81,13 +92,15 @@ struct FactorPlanOptions {
 
 struct FactorPlan {
   FactorAxes axes = FactorAxes::projectedDeviation;
-  SamplingPlan plan;                ///< first the `along` curve, by the angle; then the `across` curve, by the distance
+  SamplingPlan plan;                ///< `along` by the angle, `across` by the distance, then `further`
   std::vector<FactorCurve> curves;  ///< one per sample
   int blocked = 0;  ///< number of readings that were left out: a direction is below the horizon or beyond
                     ///< maxPolarAngle, or one arm occludes the other
 };
 
-/// The pairs of directions to measure. The `across` curve starts with the mirror direction at the fixed angle.
+/// The pairs of directions to measure. The `across` curve starts with the mirror direction at the fixed angle. For
+/// adaptive axes, two ninths of the readings are on each curve; the others are `further` readings with the viewer at up
+/// to five other angles (fewer below 100 readings), with the light on both sides of the mirror direction.
 /// O(angles + distances).
 /// @throws Error if an option is out of range, or the rig reaches no reading of a curve.
 FactorPlan planFactors(const FactorPlanOptions& options = {});
@@ -105,8 +118,9 @@ int plannedReadings(std::span<const double> angles);
 // The readings of a factor measurement as CSV (csv_text.h), directions and values in one file: the comment "method:
 // factors, AXES", then the columns
 //   index, curve, theta_i, phi_i, theta_o, phi_o, order, r, g, b
-// and optionally noise_r, noise_g, noise_b. `curve` is "along" (the mirror direction) or "across" (at the fixed
-// angle); angles are in degrees (sampling_plan.h), values as in measured_values.h, also as spectra.
+// and optionally noise_r, noise_g, noise_b. `curve` is "along" (the mirror direction), "across" (at the fixed
+// angle) or "further" (any directions); angles are in degrees (sampling_plan.h), values as in measured_values.h, also
+// as spectra.
 
 struct FactorReadings {
   FactorPlan plan;
@@ -122,8 +136,8 @@ void writeFactorReadings(const FactorPlan& plan, const MeasuredValues& values, c
 
 /// Reads the directions and the values. Rows and columns may have any order. @param axes axes of the curves. They may
 /// differ from those in the comment of the file, because the same readings can serve several axes; factorMeasurement()
-/// checks that the readings lie on two curves. @throws Error that names the file and the line: a missing column, an
-/// angle or value out of range, or a curve other than "along" and "across".
+/// checks that those of the two curves lie on them. @throws Error that names the file and the line: a missing column,
+/// an angle or value out of range, or a curve other than "along", "across" and "further".
 FactorReadings readFactorReadings(const std::filesystem::path& path, FactorAxes axes);
 /// The same for text; errors name no file.
 FactorReadings parseFactorReadings(std::string_view text, FactorAxes axes);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/acquisition/reading_surface.h"
 #include "core/acquisition/sample_rows.h"
 #include "core/io/csv_text.h"
 #include "core/math/monotone_cubic.h"
@@ -55,11 +56,9 @@ void sortBy(double FactorCoordinates::*coordinate, std::vector<Reading>& reading
 
 /// The angle of the `across` readings: that of the one nearest to the mirror direction.
 double checkAcross(const FactorPlan& plan, const std::vector<Reading>& across) {
-  // theta_d of a reading beside the mirror direction is not the fixed angle: theta_R is.
-  const FactorAxes axes = plan.axes == FactorAxes::symmetricDeviation ? FactorAxes::projectedDeviation : plan.axes;
   const auto angleOf = [&](const Reading& reading) {
     const auto sample = std::ranges::find(plan.plan.samples, reading.index, &PlannedSample::index);
-    return toFactorCoordinates(axes, sample->directions).angle;
+    return toFactorCoordinates(readAxes(plan.axes), sample->directions).angle;
   };
   const double fixed = angleOf(across.front());
   for (const Reading& reading : across)
@@ -137,6 +136,7 @@ FactorMeasurement factorMeasurement(const FactorPlan& plan, const MeasuredValues
   sortBy(&FactorCoordinates::angle, along);
   sortBy(&FactorCoordinates::distance, across);
   FactorMeasurement m{.axes = plan.axes, .fixedAngle = checkAcross(plan, across)};
+  if (plan.axes == FactorAxes::adaptive) m.all = {plan, values};
   for (const Reading& reading : along) {
     m.angles.push_back(reading.place.angle);
     store(m.along, reading.z);
@@ -149,7 +149,7 @@ FactorMeasurement factorMeasurement(const FactorPlan& plan, const MeasuredValues
     m.highest[channel] = std::max(std::ranges::max(m.along[channel]), std::ranges::max(m.across[channel]));
   m.acrossRead = m.across;
   normalise(m);
-  if (plan.axes == FactorAxes::symmetricDeviation) divideByDifference(m, across);
+  if (plan.axes != readAxes(plan.axes)) divideByDifference(m, across);
   return m;
 }
 
@@ -234,12 +234,13 @@ void addFractions(const FactorMeasurement& m, int stepDegrees, FactorSupport& su
         const DirectionPair pair{fromSpherical(i, angle(phi)), fromSpherical(o, 0)};
         const double weight = std::sin(2 * i) * std::sin(2 * o);
         const FactorCoordinates at = toFactorCoordinates(m.axes, pair);
-        const auto [z, limit] = predicted.product(pair);
-        const Rgb exchanged = areReciprocal(m.axes) ? z : predicted.product({pair.wo, pair.wi}).z;
         total += weight;
-        if (isFarAbove(z, exchanged) || isFarAbove(exchanged, z)) support.contradicted += weight;
         if (at.angle < m.angles.front() || at.angle > m.angles.back() || at.distance > m.distances.back())
           support.extrapolated += weight;
+        if (m.axes == FactorAxes::adaptive) continue;
+        const auto [z, limit] = predicted.product(pair);
+        const Rgb exchanged = areReciprocal(m.axes) ? z : predicted.product({pair.wo, pair.wi}).z;
+        if (isFarAbove(z, exchanged) || isFarAbove(exchanged, z)) support.contradicted += weight;
         if (isFarAbove(z, limit)) support.bounded += weight;
       }
   for (double* fraction : {&support.contradicted, &support.extrapolated, &support.bounded}) *fraction /= total;
@@ -254,6 +255,10 @@ bool isHighlightMissed(const FactorMeasurement& m) {
   return across.size() < 2 || across[1] < 0.5 * across[0];
 }
 
+bool hasFurther(const FactorPlan& plan) {
+  return std::ranges::find(plan.curves, FactorCurve::further) != plan.curves.end();
+}
+
 void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
   constexpr double many = 0.1, blowUp = 0.01;
   if (support.contradicted > many)
@@ -266,6 +271,10 @@ void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
         "Unreliable for " + percent(support.extrapolated) +
         " of the directions: they lie outside the two curves, where the last reading is used. Use "
         "another fixed angle.");
+  if (m.axes == FactorAxes::adaptive && !hasFurther(m.all.plan))
+    support.warnings.push_back(
+        "The readings lie on two curves only: how the highlight changes with the angle is not known. Add readings at "
+        "further angles.");
   if (support.bounded > blowUp)
     support.warnings.push_back(
         "Unreliable for " + percent(support.bounded) +
@@ -275,7 +284,7 @@ void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
     support.warnings.push_back(
         "The highlight is narrower than the spacing of its readings. Use more readings around the mirror direction.");
   for (std::size_t c = 0; c < 3; ++c)
-    if (m.unscaled[c] && m.highest[c] > 0)
+    if (m.unscaled[c] && m.highest[c] > 0 && m.axes != FactorAxes::adaptive)
       support.warnings.push_back(std::string("Unreliable in ") + channelNames[c] +
                                  ": the mirror direction is black at the fixed angle, so the readings around the "
                                  "mirror direction are used for all angles. Use another fixed angle.");
@@ -298,6 +307,7 @@ FactorBound factorBoundNamed(std::string_view name) {
 }
 
 std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurement, FactorBound bound) {
+  if (measurement.axes == FactorAxes::adaptive) return fitReadings(measurement.all, bound == FactorBound::readings);
   return std::make_shared<const PredictedBrdf>(measurement, bound);
 }
 

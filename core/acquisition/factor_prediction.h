@@ -21,14 +21,15 @@ struct FactorMeasurement {
   double fixedAngle = 0;                     ///< of the `across` curve, rad
   std::vector<double> angles, distances;     ///< strictly increasing
   std::array<std::vector<double>, 3> along;  ///< z_i1: in the mirror direction, for each angle
-  /// z_mj / z_m1: at the fixed angle, for each distance. For symmetricDeviation this is multiplied by z(fixed angle) /
-  /// z(theta_d) of the `along` curve.
+  /// z_mj / z_m1: at the fixed angle, for each distance. For symmetricDeviation and adaptive axes this is multiplied by
+  /// z(fixed angle) / z(theta_d) of the `along` curve.
   std::array<std::vector<double>, 3> across;
   std::array<std::vector<double>, 3> acrossRead;  ///< z_mj
   /// Per channel: whether the reading in the mirror direction at the fixed angle is black (z_m1 <= 1e-12). Then `along`
   /// is 1, `across` is z_mj, and the prediction is z_mj at every angle.
   std::array<bool, 3> unscaled{};
-  std::array<double, 3> highest{};  ///< the largest z that was read
+  std::array<double, 3> highest{};  ///< the largest z that was read on the curves
+  FactorReadings all;               ///< for adaptive axes: all readings, to which the prediction is fitted
 };
 
 /// The curves of measured values. @param plan from planFactors() or from a file; the samples may be in any order.
@@ -52,6 +53,8 @@ enum class FactorBound {
   /// the fixed angle, viewer at another angle. Where the `along` curve increases toward the horizon, a product of
   /// curves over theta_R or theta_o contradicts these values, because the product multiplies the diffuse term by the
   /// increase too.
+  ///
+  /// Of adaptive axes, which are reciprocal: the larger of the two interpolated readings.
   readings,
   none  ///< eq. 5.6 as printed
 };
@@ -63,7 +66,7 @@ FactorBound factorBoundNamed(std::string_view name);
 /// rho = exp(z) - 1 with z_ij = z_mj z_i1 / z_m1 (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance
 /// Modeling and Acquisition", eq. 5.6), limited by `bound`. Exact where z is such a product within the bound. The
 /// curves are monotone cubic between the readings and constant beyond them. Reciprocal with `readings`, and for axes
-/// with areReciprocal().
+/// with areReciprocal(). For adaptive axes: fitReadings() of all readings.
 std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurement,
                                                FactorBound bound = FactorBound::readings);
 

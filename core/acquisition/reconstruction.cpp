@@ -9,6 +9,7 @@
 #include "core/acquisition/local_ridge.h"
 #include "core/acquisition/sample_rows.h"
 #include "core/math/decompositions.h"
+#include "core/math/lasso.h"
 #include "core/math/matching_pursuit.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
@@ -140,6 +141,73 @@ Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const T
       coefficients.col(channel) = pursue(all, samples.values.col(channel), count);
       if (count <= 1 || coefficients.col(channel).cwiseAbs().maxCoeff() <= largest) break;
     }
+  }
+  return coefficients;
+}
+
+namespace {
+
+/// The penalties to try, relative to Lasso::largestPenalty(), descending: each solution starts the next.
+std::vector<double> triedPenalties() {
+  constexpr int count = 25, decades = 6;
+  std::vector<double> penalties;
+  for (int i = 1; i <= count; ++i) penalties.push_back(std::pow(10, -double(decades) * i / count));
+  return penalties;
+}
+
+/// The rows of a matrix whose index has, or has not, the remainder `group` of a division by `groups`.
+Eigen::MatrixXd rowsOfGroup(const Eigen::MatrixXd& matrix, Eigen::Index group, Eigen::Index groups, bool isIn) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+    if ((row % groups == group) == isIn) rows.push_back(row);
+  return matrix(rows, Eigen::all);
+}
+
+/// The index of the penalty with the least squared error of prediction of left-out samples, for each channel.
+Eigen::Array3i bestPenalties(const SampleRows& samples, const std::vector<double>& penalties,
+                             const TaskControl& control) {
+  const Eigen::Index groups = std::min<Eigen::Index>(10, samples.rows.rows());
+  std::vector<Eigen::ArrayX3d> errors(std::size_t(groups), Eigen::ArrayX3d::Zero(Eigen::Index(penalties.size()), 3));
+  parallelForBlocks(
+      std::size_t(groups), 1,
+      [&](std::size_t group, std::size_t) {
+        const auto g = Eigen::Index(group);
+        const Lasso lasso(rowsOfGroup(samples.rows, g, groups, false));
+        const Eigen::MatrixXd values = rowsOfGroup(samples.values, g, groups, false);
+        const Eigen::MatrixXd rows = rowsOfGroup(samples.rows, g, groups, true),
+                              expected = rowsOfGroup(samples.values, g, groups, true);
+        for (Eigen::Index channel = 0; channel < 3; ++channel) {
+          const double largest = lasso.largestPenalty(values.col(channel));
+          Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(samples.rows.cols());
+          for (std::size_t i = 0; i < penalties.size() && largest > 0; ++i) {
+            control.throwIfStopped();
+            lasso.solve(values.col(channel), penalties[i] * largest, coefficients);
+            errors[group](Eigen::Index(i), channel) = (rows * coefficients - expected.col(channel)).squaredNorm();
+          }
+        }
+      },
+      control);
+  Eigen::ArrayX3d sum = Eigen::ArrayX3d::Zero(Eigen::Index(penalties.size()), 3);
+  for (const Eigen::ArrayX3d& part : errors) sum += part;
+  Eigen::Array3i best;
+  for (Eigen::Index channel = 0; channel < 3; ++channel) sum.col(channel).minCoeff(&best[channel]);
+  return best;
+}
+
+}  // namespace
+
+Eigen::MatrixXd basisPursuitCoefficients(const SampleRows& samples, const TaskControl& control) {
+  const std::vector<double> penalties = triedPenalties();
+  Eigen::Array3i last = Eigen::Array3i::Constant(int(penalties.size()) - 1);
+  if (samples.rows.rows() > 1) last = bestPenalties(samples, penalties, control);
+  const Lasso lasso(samples.rows);
+  Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(samples.rows.cols(), 3);
+  for (Eigen::Index channel = 0; channel < 3; ++channel) {
+    const double largest = lasso.largestPenalty(samples.values.col(channel));
+    Eigen::VectorXd solution = coefficients.col(channel);
+    for (int i = 0; i <= last[channel] && largest > 0; ++i)
+      lasso.solve(samples.values.col(channel), penalties[std::size_t(i)] * largest, solution);
+    coefficients.col(channel) = solution;
   }
   return coefficients;
 }
@@ -281,6 +349,8 @@ Reconstruction reconstructCode(const PrincipalComponents& basis, const SamplingP
     result.ridge = options.ridge.value_or(publishedRidge);
   else if (options.method == ReconstructionMethod::localRidge && samples.rows.rows() > 1)
     coefficients = solveLocalRidge(basis, samples, options, result, control);
+  else if (options.method == ReconstructionMethod::basisPursuit)
+    coefficients = basisPursuitCoefficients(samples, control);
   else if (options.method != ReconstructionMethod::sparse)
     coefficients = solveRidge(basis, samples, options, result, control);
   else

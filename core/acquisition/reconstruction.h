@@ -60,18 +60,32 @@ double leaveOneOutRidge(const SampleRows& samples, const Eigen::VectorXd& noise,
 Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const TaskControl& control = {},
                                    double largest = std::numeric_limits<double>::infinity());
 
+/// Coefficients with the smallest sum of absolute values, per channel: Lasso over the rows of D, with the penalty that
+/// predicts samples best from the others, among 25 from the largest useful one down to 1e-6 of it (ten groups are left
+/// out in turn). Without noise and with fewer samples than components, a small penalty is the basis pursuit of section
+/// 3.2 of Tongbuasirilai 2023. @return components x channels. O(samples components) a sweep, some thousand sweeps.
+/// @throws Cancelled between two penalties.
+Eigen::MatrixXd basisPursuitCoefficients(const SampleRows& samples, const TaskControl& control = {});
+
 // Reconstruction of a whole material from a few measured values and the principal components of other materials
 // (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition"; Tongbuasirilai 2023,
 // "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 5.14).
 
 enum class ReconstructionMethod {
-  ridge,      ///< c = (Q^T Q + eta I)^-1 Q^T (y - mean), Q the rows of D = U Sigma at the samples
-  sparse,     ///< few components, chosen by orthogonal matching pursuit; coefficients by least squares
-  localRidge  ///< ridge regression over the training signals that resemble the samples (local_ridge.h); with one
-              ///< sample, `ridge`
+  ridge,        ///< c = (Q^T Q + eta I)^-1 Q^T (y - mean), Q the rows of D = U Sigma at the samples
+  sparse,       ///< few components, chosen by orthogonal matching pursuit; coefficients by least squares
+  localRidge,   ///< ridge regression over the training signals that resemble the samples (local_ridge.h); with one
+                ///< sample, `ridge`
+  basisPursuit  ///< the smallest sum of absolute coefficients (basisPursuitCoefficients())
 };
 /// Names in JSON and on the command line, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 3> reconstructionMethodNames{"ridge", "sparse", "local-ridge"};
+inline constexpr std::array<std::string_view, 4> reconstructionMethodNames{"ridge", "sparse", "local-ridge",
+                                                                           "basis-pursuit"};
+
+/// Whether the method has an uncertainty, Reconstruction::standardDeviation.
+inline bool hasUncertainty(ReconstructionMethod method) {
+  return method == ReconstructionMethod::ridge || method == ReconstructionMethod::localRidge;
+}
 
 /// Condition number of the rows of D at the samples above which plans and reconstructions state a warning: noise of a
 /// reading may be amplified by this factor.
@@ -91,7 +105,7 @@ struct ReconstructionOptions {
                   ///< samples
   std::optional<double> noise;  ///< `ridge` only: standard deviation of a mapped value, for `standardDeviation`; if
                                 ///< empty, estimated
-  bool uncertainty = true;      ///< whether to compute `standardDeviation`
+  bool uncertainty = true;      ///< whether to compute `standardDeviation`; needs hasUncertainty()
   /// Whether all samples have the same weight, as in eq. 5.14 as printed: eta is used alone. Otherwise the variance of
   /// the components that are not used and the standard deviations of the values count as noise (see reconstruct()).
   bool equalNoise = false;
@@ -110,13 +124,13 @@ struct Reconstruction {
   std::shared_ptr<const TabulatedBrdf> table;
   dictionary::ComponentCode code;  ///< over the components of the basis
   std::size_t cappedCount = 0;     ///< channel values beyond the range of float, stored as the largest float
-  double ridge = 0;                ///< eta that was used (LocalRidge::ridge); 0 for `sparse`
+  double ridge = 0;                ///< eta that was used (LocalRidge::ridge); 0 without hasUncertainty()
   int components = 0;              ///< number of components used
   /// Root mean squared difference between each mapped value and its prediction from all other samples (`ridge` with a
   /// finite eta > 0; `localRidge`: LocalRidge::leaveOneOutError): the error to expect at a cell that resembles the
-  /// measured ones. NaN for one sample, and for `sparse`.
+  /// measured ones. NaN for one sample, and without hasUncertainty().
   double leaveOneOutError = 0;
-  /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells; empty for `sparse`. A change
+  /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells, or empty. A change
   /// of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/data_transform.h).
   ///
   /// `localRidge`: from LocalRidge::posteriorFactor and LocalRidge::scale. `ridge`: under the Gaussian model in which

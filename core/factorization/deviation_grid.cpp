@@ -11,101 +11,190 @@
 
 namespace gonio::factorization {
 
-std::vector<double> libraryDeviationNodes() {
-  static constexpr double nodes[] = {0,
-                                     0.000584449785,
-                                     0.0011797366,
-                                     0.00180165241,
-                                     0.00245048704,
-                                     0.00311782569,
-                                     0.0038141279,
-                                     0.00453573541,
-                                     0.00528002845,
-                                     0.00605050185,
-                                     0.0068615882,
-                                     0.00770538009,
-                                     0.00858222632,
-                                     0.00949476446,
-                                     0.0104447425,
-                                     0.0114341524,
-                                     0.0124682659,
-                                     0.0135541765,
-                                     0.0146941752,
-                                     0.0158889188,
-                                     0.0171476282,
-                                     0.0184756212,
-                                     0.0198704642,
-                                     0.0213449644,
-                                     0.0229028219,
-                                     0.0245677443,
-                                     0.0263327919,
-                                     0.0282064407,
-                                     0.0302012675,
-                                     0.0323261848,
-                                     0.0345861329,
-                                     0.0370031041,
-                                     0.0395935538,
-                                     0.042348127,
-                                     0.0452763474,
-                                     0.0483835133,
-                                     0.0516855964,
-                                     0.0551994267,
-                                     0.0589247604,
-                                     0.0628674393,
-                                     0.0670383261,
-                                     0.0714788523,
-                                     0.0761928931,
-                                     0.0811879244,
-                                     0.0864775233,
-                                     0.0921113581,
-                                     0.0981100897,
-                                     0.104485848,
-                                     0.111265928,
-                                     0.118520118,
-                                     0.126259942,
-                                     0.13450658,
-                                     0.143335369,
-                                     0.152770521,
-                                     0.162829416,
-                                     0.173598682,
-                                     0.185096407,
-                                     0.197372097,
-                                     0.210511287,
-                                     0.224522315,
-                                     0.239506002,
-                                     0.255479996,
-                                     0.272532738,
-                                     0.290701375,
-                                     0.310054192,
-                                     0.330604884,
-                                     0.352416754,
-                                     0.375475082,
-                                     0.399854481,
-                                     0.425528569,
-                                     0.452555448,
-                                     0.480962069,
-                                     0.510755232,
-                                     0.541999201,
-                                     0.57471468,
-                                     0.60893327,
-                                     0.644752824,
-                                     0.682311968,
-                                     0.721724666,
-                                     0.763221595,
-                                     0.807105057,
-                                     0.853827277,
-                                     0.904114334,
-                                     0.959239505,
-                                     1.02351816,
-                                     1.10403296,
-                                     1.20282322,
-                                     1.32869705,
-                                     1.50531473,
-                                     1.99969539};
-  return {std::begin(nodes), std::end(nodes)};
-}
-
 namespace {
+
+constexpr double logarithmicNodes[] = {0,
+                                       0.000584449785,
+                                       0.0011797366,
+                                       0.00180165241,
+                                       0.00245048704,
+                                       0.00311782569,
+                                       0.0038141279,
+                                       0.00453573541,
+                                       0.00528002845,
+                                       0.00605050185,
+                                       0.0068615882,
+                                       0.00770538009,
+                                       0.00858222632,
+                                       0.00949476446,
+                                       0.0104447425,
+                                       0.0114341524,
+                                       0.0124682659,
+                                       0.0135541765,
+                                       0.0146941752,
+                                       0.0158889188,
+                                       0.0171476282,
+                                       0.0184756212,
+                                       0.0198704642,
+                                       0.0213449644,
+                                       0.0229028219,
+                                       0.0245677443,
+                                       0.0263327919,
+                                       0.0282064407,
+                                       0.0302012675,
+                                       0.0323261848,
+                                       0.0345861329,
+                                       0.0370031041,
+                                       0.0395935538,
+                                       0.042348127,
+                                       0.0452763474,
+                                       0.0483835133,
+                                       0.0516855964,
+                                       0.0551994267,
+                                       0.0589247604,
+                                       0.0628674393,
+                                       0.0670383261,
+                                       0.0714788523,
+                                       0.0761928931,
+                                       0.0811879244,
+                                       0.0864775233,
+                                       0.0921113581,
+                                       0.0981100897,
+                                       0.104485848,
+                                       0.111265928,
+                                       0.118520118,
+                                       0.126259942,
+                                       0.13450658,
+                                       0.143335369,
+                                       0.152770521,
+                                       0.162829416,
+                                       0.173598682,
+                                       0.185096407,
+                                       0.197372097,
+                                       0.210511287,
+                                       0.224522315,
+                                       0.239506002,
+                                       0.255479996,
+                                       0.272532738,
+                                       0.290701375,
+                                       0.310054192,
+                                       0.330604884,
+                                       0.352416754,
+                                       0.375475082,
+                                       0.399854481,
+                                       0.425528569,
+                                       0.452555448,
+                                       0.480962069,
+                                       0.510755232,
+                                       0.541999201,
+                                       0.57471468,
+                                       0.60893327,
+                                       0.644752824,
+                                       0.682311968,
+                                       0.721724666,
+                                       0.763221595,
+                                       0.807105057,
+                                       0.853827277,
+                                       0.904114334,
+                                       0.959239505,
+                                       1.02351816,
+                                       1.10403296,
+                                       1.20282322,
+                                       1.32869705,
+                                       1.50531473,
+                                       1.99969539};
+
+/// Of the energy rho.
+constexpr double printedNodes[] = {0,
+                                   5.01964982e-05,
+                                   0.000100392996,
+                                   0.000150589494,
+                                   0.000200785993,
+                                   0.000250982491,
+                                   0.000301178989,
+                                   0.000351375487,
+                                   0.000401571985,
+                                   0.000451768483,
+                                   0.000501964982,
+                                   0.00055216148,
+                                   0.000602357978,
+                                   0.000652554476,
+                                   0.000702750974,
+                                   0.000752947472,
+                                   0.00080314397,
+                                   0.000853340469,
+                                   0.000903536967,
+                                   0.000953733465,
+                                   0.00100700331,
+                                   0.00109499044,
+                                   0.00118297756,
+                                   0.00127096468,
+                                   0.00135895181,
+                                   0.00144693893,
+                                   0.00153492606,
+                                   0.00162291318,
+                                   0.0017109003,
+                                   0.00179888743,
+                                   0.00188687455,
+                                   0.00197486167,
+                                   0.00208940096,
+                                   0.00221438132,
+                                   0.00233936168,
+                                   0.00246434203,
+                                   0.00258932239,
+                                   0.00271430274,
+                                   0.0028392831,
+                                   0.00296426346,
+                                   0.00311759539,
+                                   0.00328207811,
+                                   0.00344656083,
+                                   0.00361104355,
+                                   0.00377552627,
+                                   0.00394000898,
+                                   0.00413224532,
+                                   0.0043401624,
+                                   0.00454807948,
+                                   0.00475599655,
+                                   0.00496391363,
+                                   0.00521187044,
+                                   0.00546802227,
+                                   0.0057241741,
+                                   0.00598032593,
+                                   0.00628946369,
+                                   0.00660278873,
+                                   0.00691611378,
+                                   0.00727439899,
+                                   0.00764883831,
+                                   0.00802776167,
+                                   0.00847074252,
+                                   0.00891372338,
+                                   0.00941885707,
+                                   0.00993872829,
+                                   0.0105336988,
+                                   0.0111605537,
+                                   0.0118608105,
+                                   0.0126505705,
+                                   0.0135337451,
+                                   0.0145379368,
+                                   0.0156942645,
+                                   0.0170462494,
+                                   0.0186963489,
+                                   0.020701927,
+                                   0.023214029,
+                                   0.0264864106,
+                                   0.030808798,
+                                   0.0367066514,
+                                   0.0449601404,
+                                   0.0566218497,
+                                   0.0733803622,
+                                   0.0982376146,
+                                   0.136695578,
+                                   0.197746298,
+                                   0.294221136,
+                                   0.440320608,
+                                   0.644763698,
+                                   0.92987293,
+                                   1.99969539};
 
 constexpr std::size_t steps = 2000;
 constexpr double evenFraction = 1.0 / 3;
@@ -113,10 +202,10 @@ constexpr int viewers = 30, azimuths = 8;
 
 enum class AzimuthCount { same, onDisk };
 
-/// Sum of ln(1 + rho) over viewers, azimuths on the disk, and channels, at one deviation. A sum, not a mean: deviations
-/// with few valid pairs get few nodes. @param counted whether the weight of each viewer is the same number of azimuths,
-/// or the part of the circle that is on the disk.
-double energyAt(const Brdf& brdf, double deviation, AzimuthCount counted) {
+/// Sum of transformed values over viewers, azimuths on the disk, and channels, at one deviation. A sum, not a mean:
+/// deviations with few valid pairs get few nodes. @param counted whether the weight of each viewer is the same number
+/// of azimuths, or the part of the circle that is on the disk.
+double energyAt(const Brdf& brdf, double deviation, AzimuthCount counted, DataTransform transform) {
   std::vector<DirectionPair> pairs;
   std::vector<double> weights;
   for (int i = 0; i < viewers; ++i) {
@@ -132,22 +221,29 @@ double energyAt(const Brdf& brdf, double deviation, AzimuthCount counted) {
   brdf.evaluate(pairs, values);
   double sum = 0;
   for (std::size_t i = 0; i < values.size(); ++i)
-    for (int channel = 0; channel < 3; ++channel) sum += weights[i] * std::log1p(std::max(0.0, values[i][channel]));
+    for (int channel = 0; channel < 3; ++channel)
+      sum += weights[i] * transformed(transform, std::max(0.0, values[i][channel]), 1);
   return sum;
 }
 
 /// Adds the energy of a material at every step.
-void addEnergy(std::vector<double>& energy, const Brdf& brdf, AzimuthCount counted, const TaskControl& control) {
+void addEnergy(std::vector<double>& energy, const Brdf& brdf, AzimuthCount counted, DataTransform transform,
+               const TaskControl& control) {
   parallelForBlocks(
       steps, 50,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t j = begin; j < end; ++j)
-          energy[j] += energyAt(brdf, (double(j) + 0.5) * maxDeviation / steps, counted);
+          energy[j] += energyAt(brdf, (double(j) + 0.5) * maxDeviation / steps, counted, transform);
       },
       control);
 }
 
 }  // namespace
+
+std::vector<double> libraryDeviationNodes(DataTransform energy) {
+  if (energy == DataTransform::none) return {std::begin(printedNodes), std::end(printedNodes)};
+  return {std::begin(logarithmicNodes), std::end(logarithmicNodes)};
+}
 
 std::vector<double> deviationNodes(std::span<const double> energy, int count) {
   constexpr double smallestGap = 1e-6;
@@ -175,16 +271,16 @@ std::vector<double> deviationNodes(std::span<const double> energy, int count) {
 std::vector<double> deviationNodes(std::span<const std::shared_ptr<const TabulatedBrdf>> tables, int count,
                                    const TaskControl& control) {
   std::vector<double> energy(steps, 0.0);
-  for (const auto& table : tables) addEnergy(energy, *table, AzimuthCount::same, control);
+  for (const auto& table : tables) addEnergy(energy, *table, AzimuthCount::same, DataTransform::logPlus, control);
   double total = 0;
   for (const double e : energy) total += e;
   for (double& e : energy) e = (1 - evenFraction) * e + evenFraction * total / double(steps);
   return deviationNodes(energy, count);
 }
 
-std::vector<double> publishedDeviationEnergy(const Brdf& brdf, const TaskControl& control) {
+std::vector<double> publishedDeviationEnergy(const Brdf& brdf, const TaskControl& control, DataTransform transform) {
   std::vector<double> energy(steps, 0.0);
-  addEnergy(energy, brdf, AzimuthCount::onDisk, control);
+  addEnergy(energy, brdf, AzimuthCount::onDisk, transform, control);
   return energy;
 }
 

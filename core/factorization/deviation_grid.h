@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/brdf/data_transform.h"
 #include "core/brdf/tabulated_brdf.h"
 
 namespace gonio::factorization {
@@ -27,15 +28,17 @@ inline const double maxDeviation = 2 * std::sin(maxPolarAngle);
 std::vector<double> deviationNodes(std::span<const std::shared_ptr<const TabulatedBrdf>> tables,
                                    int count = defaultDeviations, const TaskControl& control = {});
 
-/// Energy of a material at 2,000 uniform steps of |Dp|, as summed in Tongbuasirilai 2023, eq. 4.24: ln(1 + rho) over
-/// the channels and over the cells on the disk, of a uniform grid of viewers and azimuths. Takes about 0.1 s.
-/// @throws Cancelled.
-std::vector<double> publishedDeviationEnergy(const Brdf& brdf, const TaskControl& control = {});
+/// Energy of a material at 2,000 uniform steps of |Dp|, as summed in Tongbuasirilai 2023, eq. 4.24, over the channels
+/// and over the cells on the disk, of a uniform grid of viewers and azimuths. Takes about 0.1 s. @param transform
+/// logPlus: ln(1 + rho), the "non-linear energy" of the text; none: rho, as the equation is printed, with which
+/// highlights take nearly all nodes. @throws Cancelled.
+std::vector<double> publishedDeviationEnergy(const Brdf& brdf, const TaskControl& control = {},
+                                             DataTransform transform = DataTransform::logPlus);
 
 /// The published choice, one grid for all materials: the quantiles of the mean of publishedDeviationEnergy() over the
 /// 137 measured and near-measured bundled materials, without the uniformly distributed third of the energy
-/// (`gonio_studies deviation_nodes` prints them).
-std::vector<double> libraryDeviationNodes();
+/// (`gonio_studies deviation_nodes` prints them). @param energy logPlus or none, as for publishedDeviationEnergy().
+std::vector<double> libraryDeviationNodes(DataTransform energy = DataTransform::logPlus);
 
 /// The quantiles of a given energy. @param energy of uniform steps up to maxDeviation, >= 0.
 std::vector<double> deviationNodes(std::span<const double> energy, int count);

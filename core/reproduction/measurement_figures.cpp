@@ -43,6 +43,7 @@ MadeFigure makeFactorMeasurement(const FigureRecord& record, Inputs& inputs, con
       measured("Half-difference", *table, FactorAxes::halfDifference, FactorBound::none),
       measured("Half-out", *table, FactorAxes::halfOut, FactorBound::none),
       measured("Symmetric PDV, bounded", *table, FactorAxes::symmetricDeviation, FactorBound::readings),
+      measured("All readings", *table, FactorAxes::adaptive, FactorBound::readings),
       rankOneFit(*table, control)};
   PictureRows rows(inputs.picture());
   const auto ratios = rows.add(shownName(subject), *table, compared, control);
@@ -116,8 +117,9 @@ std::vector<FigureRecord> measurementFigures() {
       {.id = "5.3",
        .title = "Factor measurement in three coordinates",
        .shows = "red-metallic-paint predicted from two measured curves (eq. 5.6) in PDV, half-difference and half-out "
-                "coordinates, with Gonio's bounds, and as the best product of two curves of all cells; for other fixed "
-                "angles in the table of values.",
+                "coordinates, with Gonio's bounds, by a fit to all readings (Gonio's default, with as many readings), "
+                "and as "
+                "the best product of two curves of all cells; for other fixed angles in the table of values.",
        .source = "figure 5.3, captions",
        .printed = {{"PDV, rendered SNR", 31.84},
                    {"Half-difference, rendered SNR", 22.06},

@@ -3,6 +3,8 @@
 #include <pybind11/stl.h>
 #include <algorithm>
 
+#include "core/acquisition/atom_components.h"
+#include "core/acquisition/dictionary_reconstruction.h"
 #include "core/acquisition/factor_plan.h"
 #include "core/acquisition/factor_prediction.h"
 #include "core/acquisition/measured_values.h"
@@ -10,7 +12,9 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/materials/basis_file.h"
+#include "core/materials/dictionary_file.h"
 #include "core/study/learned_basis.h"
+#include "core/study/material_class.h"
 #include "core/study/training_files.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"
@@ -43,7 +47,7 @@ FactorPlan factorPlanOf(const SamplingPlan& plan, const std::string& axes, const
   FactorPlan result{.axes = factorAxesNamed(axes), .plan = plan, .curves = {}};
   for (const std::string& name : curves) {
     const auto found = std::ranges::find(factorCurveNames, name);
-    if (found == factorCurveNames.end()) throw Error("curves: found '" + name + "', expected along or across");
+    if (found == factorCurveNames.end()) throw Error("curves: found '" + name + "', expected along, across or further");
     result.curves.push_back(FactorCurve(found - factorCurveNames.begin()));
   }
   return result;
@@ -122,12 +126,26 @@ PyBasis readBasis(const std::string& path) {
 }
 
 PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<std::string>& excluded, int components,
-                   const py::object& progress) {
+                   const std::string& materialClass, const py::object& progress) {
   return resultOf(progress, [&](const TaskControl& control) {
-    const auto basis = study::learnedBasis(study::trainingFilesOrLibrary(sources, excluded), components,
-                                           materials::BasisPrecision::half, control)
-                           .basis;
+    const auto files = study::filesOfClass(study::trainingFilesOrLibrary(sources, excluded),
+                                           study::materialClassNamed(materialClass), {control.stop, {}});
+    const auto basis = study::learnedBasis(files, components, materials::BasisPrecision::half, control).basis;
     return PyBasis{{basis, &basis->components}, basis->learnedFrom};
+  });
+}
+
+/// The atoms of dictionaries as signals for plan().
+PyBasis learnAtoms(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
+                   const PyDictionaryPtr& given, int atoms, const py::object& progress) {
+  return resultOf(progress, [&](const TaskControl& control) {
+    const PyDictionaryPtr named = given ? given : materials::bundledEnsemble();
+    const auto training =
+        study::trainingMaterials(study::trainingFilesOrLibrary(sources, excluded), named->ensemble.grid);
+    const auto prior = acquisition::learnDictionaryPrior(named->ensemble, training, {}, control.between(0, 0.7));
+    auto components = std::make_shared<const dictionary::PrincipalComponents>(
+        acquisition::atomComponents(named->ensemble, prior, atoms, control.between(0.7, 1)));
+    return PyBasis{components, training.names, true};
   });
 }
 
@@ -160,7 +178,7 @@ py::tuple learnSeparatedBasis(const std::vector<std::string>& sources, const std
 py::array_t<float> encodeComponents(const PyBasis& basis, const PyMaterial& material, int components,
                                     const py::object& progress) {
   const auto code = resultOf(progress, [&](const TaskControl& control) {
-    return dictionary::encode(*basis.components, *meanOfOrders(material.table({control.stop, {}})), components,
+    return dictionary::encode(*basis.ofMaterials(), *meanOfOrders(material.table({control.stop, {}})), components,
                               control);
   });
   py::array_t<float> result({py::ssize_t(3), py::ssize_t(code.components())});
@@ -177,7 +195,7 @@ PyMaterialPtr decodeComponents(const PyBasis& basis,
   for (int c = 0; c < 3; ++c)
     channels.channels[std::size_t(c)] = Eigen::Map<const Eigen::VectorXf>(code.data(c, 0), code.shape(1));
   return newMaterial(name, "components", resultOf(progress, [&](const TaskControl& control) {
-                       return dictionary::decode(*basis.components, channels, control);
+                       return dictionary::decode(*basis.ofMaterials(), channels, control);
                      }));
 }
 
@@ -272,7 +290,7 @@ py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vecto
                      const std::string& name, const py::object& progress) {
   const auto found = std::ranges::find(reconstructionMethodNames, method);
   if (found == reconstructionMethodNames.end())
-    throw Error("method: found '" + method + "', expected ridge, local-ridge or sparse");
+    throw Error("method: found '" + method + "', expected ridge, local-ridge, sparse or basis-pursuit");
   const MeasuredValues values = valuesOf(rgb, noise);
   const ReconstructionOptions options{.method = ReconstructionMethod(found - reconstructionMethodNames.begin()),
                                       .ridge = ridge,
@@ -280,7 +298,7 @@ py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vecto
                                       .atoms = atoms,
                                       .equalNoise = equalNoise};
   const Reconstruction result = resultOf(progress, [&](const TaskControl& control) {
-    return acquisition::reconstruct(*basis.components, plan, values, options, control);
+    return acquisition::reconstruct(*basis.ofMaterials(), plan, values, options, control);
   });
   py::dict row;
   row["material"] = newMaterial(name, "reconstruction", result.table);
@@ -312,11 +330,12 @@ void bindBasis(py::module_& module) {
       .def("encode", encodeComponents)
       .def("decode", decodeComponents)
       .def("save", [](const PyBasis& b, const std::string& path) {
-        materials::writeBasis(*b.components, b.components->count(), b.learnedFrom, path);
+        materials::writeBasis(*b.ofMaterials(), b.components->count(), b.learnedFrom, path);
       });
   module.def("bundled_basis", bundledBasis);
   module.def("read_basis", readBasis, py::call_guard<py::gil_scoped_release>());
   module.def("learn_basis", learnBasis);
+  module.def("learn_atoms", learnAtoms);
   module.def("separate", separateMaterial);
   module.def("learn_separated_basis", learnSeparatedBasis);
 }

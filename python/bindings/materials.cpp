@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/coordinates/coordinate_systems.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/documents/edit_document.h"
 #include "core/materials/bundled_library.h"
@@ -259,6 +260,49 @@ py::list check(const PyMaterial& material, const py::object& progress) {
   return list;
 }
 
+/// The coordinates of each pair: shape (..., columns of the system).
+py::array_t<double> toCoordinates(const std::string& name, const Vectors& wi, const Vectors& wo) {
+  const CoordinateSystem& system = coordinateSystemNamed(name);
+  const std::size_t columns = system.columns.size();
+  py::array_t<double> result = arrayLike(wi, py::ssize_t(columns));
+  double* const values = result.mutable_data();
+  forPairs(wi, wo, [&](std::size_t begin, std::span<const glm::dvec3> lights, std::span<const glm::dvec3> viewers) {
+    checkUnit(lights, begin, "wi");
+    checkUnit(viewers, begin, "wo");
+    for (std::size_t i = 0; i < lights.size(); ++i)
+      std::ranges::copy(system.to({lights[i], viewers[i]}), values + (begin + i) * columns);
+  });
+  return result;
+}
+
+/// wi and wo, each (rows, 3), and whether a pair above the horizon has the coordinates. @param values (rows, columns).
+py::tuple fromCoordinates(const std::string& name, const py::array_t<double, py::array::c_style>& values) {
+  const CoordinateSystem& system = coordinateSystemNamed(name);
+  const auto columns = py::ssize_t(system.columns.size());
+  if (values.ndim() != 2 || values.shape(1) != columns)
+    throw Error("values: expected " + std::to_string(columns) + " numbers in each row for " + name);
+  const py::ssize_t rows = values.shape(0);
+  std::vector<Rgb> wi, wo;
+  py::array_t<bool> valid(rows);
+  for (py::ssize_t row = 0; row < rows; ++row) {
+    const auto pair = system.from({values.data(row, 0), std::size_t(columns)});
+    valid.mutable_at(row) = pair.has_value();
+    wi.push_back(pair ? pair->wi : Direction(0, 0, 1));
+    wo.push_back(pair ? pair->wo : Direction(0, 0, 1));
+  }
+  return py::make_tuple(toArray(wi), toArray(wo), valid);
+}
+
+py::dict coordinateColumns() {
+  py::dict result;
+  for (const CoordinateSystem& system : coordinateSystems()) {
+    py::list names;
+    for (const CoordinateColumn& column : system.columns) names.append(column.name);
+    result[py::str(std::string(system.id))] = py::tuple(names);
+  }
+  return result;
+}
+
 py::list library() {
   py::list list;
   for (const materials::LibraryEntry& entry : materials::bundledLibrary())
@@ -295,6 +339,9 @@ void bindMaterials(py::module_& module) {
   module.def("open", open);
   module.def("from_table", fromTable);
   module.def("grid_directions", gridDirections);
+  module.def("to_coordinates", toCoordinates);
+  module.def("from_coordinates", fromCoordinates);
+  module.def("coordinates", coordinateColumns);
   module.def("library", library);
 }
 

@@ -165,7 +165,7 @@ py::list runStudy(const PyMaterial& material, StudyRequest request,
   if (!request.npf.empty()) addPublished(request, options.build, material.shown().name);
   const auto planned = representations(request);
   options.build.dictionary = dictionary;
-  if (basis) options.build.components = basis->components;
+  if (basis) options.build.components = basis->ofMaterials();
   options.build.patches = patches;
   options.picture.width = options.picture.height = size;
   options.picture.samples = samples;

@@ -56,13 +56,17 @@ PyFactors factorize(const PyMaterial& material, int terms, const std::string& fo
 }
 
 /// The nodes of the bundled library if no materials are given.
-py::array_t<double> publishedNodes(const std::vector<PyMaterialPtr>& given, const py::object& progress) {
-  if (given.empty()) return toArray(libraryDeviationNodes());
+py::array_t<double> publishedNodes(const std::vector<PyMaterialPtr>& given, const std::string& energyName,
+                                   const py::object& progress) {
+  const DataTransform transform = transformOf(energyName);
+  if (transform != DataTransform::logPlus && transform != DataTransform::none)
+    throw Error("energy: found '" + energyName + "', expected log-plus or none");
+  if (given.empty()) return toArray(libraryDeviationNodes(transform));
   return toArray(resultOf(progress, [&](const TaskControl& control) {
     std::vector<double> sum;
     for (std::size_t i = 0; i < given.size(); ++i) {
       const auto table = given[i]->table({control.stop, {}});
-      const std::vector<double> energy = publishedDeviationEnergy(*table, {control.stop, {}});
+      const std::vector<double> energy = publishedDeviationEnergy(*table, {control.stop, {}}, transform);
       sum.resize(energy.size());
       std::ranges::transform(sum, energy, sum.begin(), std::plus());
       control.report(double(i + 1) / double(given.size()));

@@ -21,6 +21,17 @@ struct PyFactors {
 struct PyBasis {
   std::shared_ptr<const dictionary::PrincipalComponents> components;
   std::vector<std::string> learnedFrom;
+  bool isOfAtoms = false;  ///< of atomComponents(): for the choice of directions alone
+
+  /// The components of a training set. @throws Error for atoms.
+  const std::shared_ptr<const dictionary::PrincipalComponents>& ofMaterials() const {
+    if (isOfAtoms)
+      throw Error(
+          "the basis consists of dictionary atoms (gonio.learn_atoms()), which serve gonio.plan() alone; expected one "
+          "of "
+          "gonio.learn_basis()");
+    return components;
+  }
 };
 
 /// Both bases of dictionary::SeparatedComponents.

@@ -34,23 +34,24 @@ from inspect import isfunction as _isfunction
 
 from ._arguments import checked as _checked
 from ._core import Error, version as __version__
-from ._materials import (Check, GridDirections, LibraryEntry, Material, check, from_table, grid_directions, library, open,
-                         set_threads)
+from ._materials import (Check, GridDirections, LibraryEntry, Material, check, coordinates, from_coordinates, from_table,
+                         grid_directions, library, open, set_threads, to_coordinates)
 from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, Factors, Interpolation, baselines, decode,
                                dictionary, encode, factorize, factorize_baseline, interpolate, open_code, open_factors,
                                published_deviation_nodes)
 from ._training import PatchCode, PatchDictionary, learn_patches, train_dictionary
 from ._neural import NeuralBrdf, neural_brdf, open_neural, train_neural
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
-from ._acquisition import (Basis, Plan, Readings, Reconstruction, SeparatedBasis, bundled_basis, learn_basis, learn_separated_basis,
-                           measure, open_basis, open_plan, plan, reconstruct, separate)
+from ._acquisition import (Basis, Plan, Readings, Reconstruction, SeparatedBasis, bundled_basis, learn_atoms, learn_basis,
+                           learn_separated_basis, measure, open_basis, open_plan, plan, reconstruct, separate)
 from ._factor_measurement import (FactorPlan, FactorPrediction, open_factor_readings, plan_factors, predict_from_factors)
 from ._pictures import (Comparison, Effect, Export, Record, Target, compare, effects, export, render, scenes, study, targets)
 
 __all__ = [
     "Error",
     # Materials
-    "open", "library", "from_table", "grid_directions", "check", "set_threads", "Material", "GridDirections",
+    "open", "library", "from_table", "grid_directions", "coordinates", "to_coordinates", "from_coordinates", "check",
+    "set_threads", "Material", "GridDirections",
     "LibraryEntry", "Check",
     # Models, fits, edits
     "models", "fit", "fit_all", "edit", "edit_factors", "artist_controls", "metrics", "Model", "Parameter", "Fit", "Metric",
@@ -60,7 +61,7 @@ __all__ = [
     "learn_patches", "PatchDictionary", "PatchCode", "Interpolation", "train_neural", "neural_brdf", "open_neural", "NeuralBrdf",
     # Acquisition
     "plan_factors", "open_factor_readings", "predict_from_factors", "FactorPlan", "FactorPrediction",
-    "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "separate",
+    "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "learn_atoms", "open_basis", "separate",
     "learn_separated_basis", "SeparatedBasis", "Plan", "Readings",
     "Reconstruction", "Basis",
     # Images, studies, exports

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arguments import PathLike, check_finite
 from ._materials import Material, Progress, from_table
+from ._representations import Dictionary
 
 Box = Sequence[Sequence[float]]
 
@@ -105,7 +106,7 @@ def bundled_basis(progress: Progress = None) -> Basis:
 
 
 def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), components: int = 128,
-                progress: Progress = None) -> Basis:
+                material_class: str = "all", progress: Progress = None) -> Basis:
     """Computes the principal components of a training set, on the grid of MERL tables. Takes up to 1 s and about 14 MB of
     memory per material; training sets that need more than 6 GB are stored in a temporary file instead. The result is kept in
     half precision in the user's cache folder (docs/acquisition.md), from which it is read in about a second the next time.
@@ -115,12 +116,36 @@ def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), 
             bundled materials.
         excluded: Names of materials to leave out of the training set; (): none.
         components: Maximum number of components. There are never more than three per material.
+        material_class: "all", or only the "diffuse" or "glossy" ones: a material is glossy if its luminance in the mirror
+            direction at 15, 30 or 45 degrees is at least twice that beside the plane of incidence.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
+
+    Raises:
+        Error: A file cannot be read, its table has another grid, a name in `excluded` matches no material, or no material is of
+            the class.
+    """
+    return Basis(_core.learn_basis([os.fsencode(source) for source in sources], list(excluded), components, material_class,
+                                   progress))
+
+
+def learn_atoms(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), dictionary: Optional[Dictionary] = None,
+                atoms: int = 128, progress: Progress = None) -> Basis:
+    """The atoms of dictionaries as signals for gonio.plan(), instead of the channels of training materials: those whose
+    coefficients have the largest variances over a training set, each times its standard deviation (docs/acquisition.md). The
+    result serves gonio.plan() alone. Takes about 4 MB of memory per atom, and the time of learning from the training set.
+
+    Args:
+        sources: The training set, as for gonio.learn_basis().
+        excluded: Names of materials to leave out of the training set; (): none.
+        dictionary: The dictionaries; None: the bundled ones.
+        atoms: Number of atoms, at least the number of samples that gonio.plan() chooses.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
         Error: A file cannot be read, its table has another grid, or a name in `excluded` matches no material.
     """
-    return Basis(_core.learn_basis([os.fsencode(source) for source in sources], list(excluded), components, progress))
+    handle = dictionary._handle if dictionary is not None else None
+    return Basis(_core.learn_atoms([os.fsencode(source) for source in sources], list(excluded), handle, atoms, progress))
 
 
 _learned_library: Optional[Basis] = None
@@ -371,17 +396,17 @@ class Reconstruction:
     """The reconstructed material, a table on the grid of the basis."""
     ridge: float
     """Ridge parameter eta that was used; for "local-ridge" the noise variance s^2 of the combination with the largest weight
-    (docs/acquisition.md), converted to eta; 0 for "sparse"."""
+    (docs/acquisition.md), converted to eta; 0 for "sparse" and "basis-pursuit"."""
     components: int
     """Number of components of the basis that were used."""
     leave_one_out_error: float
     """Root mean square error of predicting each sample's mapped value (see Basis) from all other samples, for "local-ridge" in
-    the combination with the largest weight; NaN for "sparse" and for one sample."""
+    the combination with the largest weight; NaN for "sparse", "basis-pursuit", and for one sample."""
     assumption: str
     """What is assumed of light and viewer: a reading also stands for both exchanged, so that the material is reciprocal."""
     deviation: Optional[NDArray[np.float32]] = field(repr=False)
     """Uncertainty: standard deviation of the mapped value (see Basis) of each cell, shape (n_h, n_d, n_phi); NaN in invalid
-    cells; None for "sparse"."""
+    cells; None for "sparse" and "basis-pursuit"."""
     warnings: list[str] = field(repr=False)
     """Problems of the readings, one sentence each: several readings of one direction, nearly dependent directions; usually
     empty."""
@@ -400,8 +425,8 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
         basis: Principal components of the training set; None: gonio.learn_basis(). It should be the one that the directions
             were planned with, and should not contain the material itself if you report the error.
         method: "local-ridge" (ridge regression over the training materials that agree with the readings), "ridge" (over all
-            training materials) or "sparse" (few components, by orthogonal matching pursuit); None: "ridge" if `ridge` or
-            `equal_noise` is given, otherwise "local-ridge".
+            training materials), "sparse" (few components, by orthogonal matching pursuit) or "basis-pursuit" (smallest sum
+            of absolute coefficients); None: "ridge" if `ridge` or `equal_noise` is given, otherwise "local-ridge".
         ridge: Ridge parameter eta of "ridge", such as the published 40; None: chosen by leave-one-out.
         components: Number of components to use; 0: all of the basis.
         atoms: Number of components per channel that "sparse" chooses; 0: chosen by leave-one-out.

@@ -318,6 +318,53 @@ def grid_directions(shape: tuple[int, int, int] = (90, 90, 180), reciprocal: boo
     return GridDirections(*_core.grid_directions(list(shape), reciprocal))
 
 
+def coordinates() -> dict[str, tuple[str, ...]]:
+    """The coordinate systems of gonio.to_coordinates() and gonio.from_coordinates() with the names of their coordinates, all
+    angles except "deviation" (|Dp|, 0 to 2): "standard" (theta_i, phi_i, theta_o, phi_o), "half-difference" (theta_h, theta_d,
+    phi_d; Rusinkiewicz 1998), "half-out" (theta_o, theta_h, phi_h; Lawrence et al. 2004), "projected-deviation" (theta_r,
+    deviation, phi; Tongbuasirilai et al. 2017). Only "standard" keeps the azimuth of the viewer."""
+    return _core.coordinates()
+
+
+def to_coordinates(system: str, wi: ArrayLike, wo: ArrayLike) -> NDArray[np.float64]:
+    """Coordinates of pairs of directions.
+
+    Args:
+        system: A name in gonio.coordinates().
+        wi: Directions toward the light, shape (..., 3), unit vectors; broadcast with wo.
+        wo: Directions toward the viewer, shape (..., 3), unit vectors.
+
+    Returns:
+        One number for each coordinate, shape (..., 3), or (..., 4) for "standard".
+
+    Raises:
+        Error: The system is unknown, the shapes do not broadcast, or a direction is not of length 1.
+    """
+    return _core.to_coordinates(system, *_rows(wi, wo, ("wi", "wo")))
+
+
+def from_coordinates(system: str, values: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+    """Pairs of directions that have the coordinates, the inverse of gonio.to_coordinates(). The viewer, or for
+    "half-difference" the half vector, has azimuth 0.
+
+    Args:
+        system: A name in gonio.coordinates().
+        values: One number for each coordinate, shape (..., 3), or (..., 4) for "standard".
+
+    Returns:
+        wi and wo, shape (..., 3), and whether a pair of directions above the horizon has the coordinates, shape (...). Where
+        none has, wi and wo are the normal.
+
+    Raises:
+        Error: The system is unknown, or the last dimension of `values` has another length.
+    """
+    array = np.asarray(values, dtype=np.float64)
+    rows = array.reshape(-1, array.shape[-1]) if array.ndim > 0 else array
+    wi, wo, valid = _core.from_coordinates(system, rows)
+    shape = array.shape[:-1]
+    return wi.reshape(*shape, 3), wo.reshape(*shape, 3), valid.reshape(shape)
+
+
 @dataclass(frozen=True)
 class LibraryEntry:
     """A bundled material, see gonio.library()."""

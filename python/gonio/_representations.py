@@ -154,19 +154,22 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
     return Factors(_core.factorize(material._handle, terms, form, transform, weights, list(deviation_nodes), joint, compact, progress))
 
 
-def published_deviation_nodes(materials: Sequence[Material] = (), progress: Progress = None) -> NDArray[np.float64]:
+def published_deviation_nodes(materials: Sequence[Material] = (), energy: str = "log-plus",
+                              progress: Progress = None) -> NDArray[np.float64]:
     """Computes common nodes of |Dp| for all materials of a database, for gonio.factorize(): quantiles of the mean energy over
     the materials (Tongbuasirilai 2023, eq. 4.24). Takes about 0.1 s per material.
 
     Args:
         materials: The database; (): the 137 measured and near-measured bundled materials. Their nodes are stored with Gonio
             and not computed again.
+        energy: "log-plus": ln(1 + rho), the non-linear energy of the text. "none": rho, as the equation is printed; highlights
+            then take nearly all nodes.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Returns:
         90 nodes, lengths on the unit disk from 0 to about 2.
     """
-    return _core.published_deviation_nodes([material._handle for material in materials], progress)
+    return _core.published_deviation_nodes([material._handle for material in materials], energy, progress)
 
 
 def open_factors(path: PathLike) -> Factors:

@@ -57,6 +57,34 @@ def test_cells_measure_the_hemispheres():
     assert mean == pytest.approx(0.25, rel=0.02)
 
 
+def test_coordinates_round_trip():
+    """Each system determines the pair up to a rotation about the normal, and half-out is its definition."""
+    random = np.random.default_rng(2)
+    wi, wo = random.normal(size=(2, 4, 50, 3))
+    for directions in (wi, wo):
+        directions[..., 2] = abs(directions[..., 2]) + 0.05
+        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+    for system, names in gonio.coordinates().items():
+        values = gonio.to_coordinates(system, wi, wo)
+        assert values.shape == (4, 50, len(names))
+        found_wi, found_wo, valid = gonio.from_coordinates(system, values)
+        assert valid.all() and valid.shape == (4, 50)
+        np.testing.assert_allclose(found_wi[..., 2], wi[..., 2], atol=1e-9)
+        np.testing.assert_allclose(found_wo[..., 2], wo[..., 2], atol=1e-9)
+        np.testing.assert_allclose((found_wi * found_wo).sum(-1), (wi * wo).sum(-1), atol=1e-9)
+    half = (wi + wo) / np.linalg.norm(wi + wo, axis=-1, keepdims=True)
+    half_out = gonio.to_coordinates("half-out", wi, wo)
+    np.testing.assert_allclose(half_out[..., 0], np.arccos(wo[..., 2]), atol=1e-7)
+    np.testing.assert_allclose(half_out[..., 1], np.arccos(half[..., 2]), atol=1e-7)
+    difference = np.arctan2(half[..., 1], half[..., 0]) - np.arctan2(wo[..., 1], wo[..., 0])
+    np.testing.assert_allclose(np.cos(half_out[..., 2]), np.cos(difference), atol=1e-9)
+    assert not gonio.from_coordinates("projected-deviation", [0.5, 1.9, 0.1])[2]
+    with pytest.raises(gonio.Error, match="half-out"):
+        gonio.to_coordinates("rusinkiewicz", wi, wo)
+    with pytest.raises(gonio.Error, match="3 numbers"):
+        gonio.from_coordinates("half-out", [1, 2])
+
+
 def test_bad_tables_are_errors():
     with pytest.raises(gonio.Error, match="shape"):
         gonio.from_table(np.zeros((4, 4, 3)))

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 //
 // gonio_studies factor_measurement [--materials] FILE ...: the table of docs/results/factors.md of factor measurements
-// from 20 and 60 readings, without and with bound: median, mean and lowest rendered SNR over the files for each pair of
-// axes, and the fraction of files with a warning. --materials prints a line for each file too.
+// from 20, 60 and 180 readings, without and with bound: median, mean and lowest rendered SNR over the files for each
+// pair of axes, and the fraction of files with a warning. --materials prints a line for each file too.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -43,7 +43,7 @@ void measureFile(const std::filesystem::path& file, bool prints, std::map<std::p
     return comparison.signalToNoiseRatio(comparison.render(*predictFromFactors(m, bound)));
   };
   for (int axes = 0; axes < int(factorAxesNames.size()); ++axes)
-    for (const int readings : {20, 60}) {
+    for (const int readings : {20, 60, 180}) {
       // The fixed angle of docs/results/acquisition-study.md.
       const FactorMeasurement m = measureFactors(
           *table, {.axes = FactorAxes(axes), .fixedAngle = 1, .angles = readings / 2, .distances = readings / 2});

@@ -178,10 +178,13 @@ TrainingRows::TrainingRows(QFormLayout& form)
              "ones alone; preparing them takes about a minute the first time.\n"
              "\"Materials shown in the library\": the materials that match the current search, including those of an "
              "open library folder."))),
+      m_class(rowBox(tr("Part of the training set that is used. A material is glossy if its luminance in the mirror "
+                        "direction at 15, 30 or 45 degrees is at least twice that beside the plane of incidence"))),
       m_leaveOut(new QCheckBox(tr("Exclude the measured material"))),
       m_facts(new QLabel) {
   build(form);
   connect(m_box, &QComboBox::activated, this, &TrainingRows::activated);
+  connect(m_class, &QComboBox::activated, this, &TrainingRows::edited);
   connect(m_leaveOut, &QCheckBox::toggled, this, &TrainingRows::edited);
 }
 
@@ -193,6 +196,8 @@ void TrainingRows::build(QFormLayout& form) {
   m_box->setCurrentIndex(library);
   m_last = library;
   form.addRow(tr("Materia&ls"), m_box);
+  m_class->addItems({tr("All"), tr("Diffuse"), tr("Glossy")});  // in the order of study::MaterialClass
+  form.addRow(tr("Class"), m_class);
   m_leaveOut->setToolTip(
       tr("Excludes the measured material, and files of the same name, from the training set; otherwise the error is "
          "lower than for a new material"));
@@ -249,6 +254,8 @@ TrainingSet TrainingRows::training() const {
   }
 }
 
+study::MaterialClass TrainingRows::materialClass() const { return study::MaterialClass(m_class->currentIndex()); }
+
 bool TrainingRows::leavesMeasuredOut() const { return m_leaveOut->isChecked(); }
 
 void TrainingRows::setMeasuredId(const QString& id) {
@@ -257,8 +264,7 @@ void TrainingRows::setMeasuredId(const QString& id) {
 }
 
 void TrainingRows::setEnabled(bool enabled) {
-  m_box->setEnabled(enabled);
-  m_leaveOut->setEnabled(enabled);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_box, m_class, m_leaveOut}) part->setEnabled(enabled);
 }
 
 void TrainingRows::refresh() {
@@ -353,7 +359,7 @@ AcquisitionControls::AcquisitionControls(QWidget* parent) : QWidget(parent) {
 void AcquisitionControls::buildReconstruction(QFormLayout& form) {
   form.addRow(rowHeading(tr("Reconstruction")));
   m_reconstruction = rowBox(
-      tr("Method that computes the whole material from the measured values; all except Sparse give an uncertainty"));
+      tr("Method that computes the whole material from the measured values; the ridge methods give an uncertainty"));
   const std::pair<QString, QString> methods[] = {
       {tr("Local ridge"), tr("Ridge regression over up to %1 components; each training material is weighted by how "
                              "well it agrees with the measured values")
@@ -368,7 +374,9 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
        tr("The published equation (Tongbuasirilai 2023, eq. 5.14): η = %1, as many components as samples, and the same "
           "noise in all samples")
            .arg(acquisition::publishedRidge)},
-      {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; it gives no uncertainty")}};
+      {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; it gives no uncertainty")},
+      {tr("Basis pursuit (ℓ1)"),
+       tr("The coefficients with the smallest sum of absolute values; it gives no uncertainty")}};
   for (const auto& [name, explanation] : methods) {
     m_reconstruction->addItem(name);
     m_reconstruction->setItemData(m_reconstruction->count() - 1, explanation, Qt::ToolTipRole);
@@ -397,6 +405,7 @@ void AcquisitionControls::connectRows() {
 PlanSettings AcquisitionControls::planSettings() const {
   PlanSettings settings;
   settings.training = m_training->training();
+  settings.materialClass = m_training->materialClass();
   settings.leaveOutReference = m_training->leavesMeasuredOut();
   settings.method = m_directions->method();
   settings.samples = m_directions->samples();
@@ -415,6 +424,7 @@ acquisition::ReconstructionOptions AcquisitionControls::reconstruction() const {
   acquisition::ReconstructionOptions options;
   if (index == localRidge) options.method = acquisition::ReconstructionMethod::localRidge;
   if (index == sparse) options.method = acquisition::ReconstructionMethod::sparse;
+  if (index == basisPursuit) options.method = acquisition::ReconstructionMethod::basisPursuit;
   if (index == publishedRidge) options.ridge = acquisition::publishedRidge;
   options.components = study::defaultBasisComponents;
   return options;

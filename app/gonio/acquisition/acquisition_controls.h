@@ -83,6 +83,7 @@ class TrainingRows : public QObject {
   /// Sets the function that returns the ids currently shown in the library.
   void setShownIds(std::function<QStringList()> shownIds) { m_shownIds = std::move(shownIds); }
   TrainingSet training() const;
+  study::MaterialClass materialClass() const;
   /// Selects a training set that is not among the offered ones.
   void setTraining(const TrainingSet& training);
   bool leavesMeasuredOut() const;
@@ -106,7 +107,7 @@ class TrainingRows : public QObject {
   TrainingSet m_otherSet;  ///< training set of a folder
   int m_last = 0;
   QString m_measuredId;
-  QComboBox* m_box;
+  QComboBox *m_box, *m_class;
   QCheckBox* m_leaveOut;
   QLabel* m_facts;
 };
@@ -171,7 +172,7 @@ class AcquisitionControls : public QWidget {
   void reconstructionEdited();
 
  private:
-  enum ReconstructionItem { localRidge, chosenRidge, publishedRidge, printedRidge, sparse };
+  enum ReconstructionItem { localRidge, chosenRidge, publishedRidge, printedRidge, sparse, basisPursuit };
 
   void buildReconstruction(QFormLayout& form);
   void connectRows();

@@ -71,12 +71,17 @@ QStringList without(const QStringList& ids, const QString& id) {
 }
 
 std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(const QStringList& ids, int components,
+                                                                              study::MaterialClass materialClass,
                                                                               const TaskControl& control) {
   if (ids.size() < 2)
     throw Error("The training set has " + std::to_string(ids.size()) + (ids.size() == 1 ? " material" : " materials") +
                 "; it needs at least 2.");
   std::vector<std::string> files;
   for (const QString& id : ids) files.push_back(id.toStdString());
+  files = study::filesOfClass(files, materialClass, {control.stop, {}});
+  if (files.size() < 2)
+    throw Error("Only one material of the training set is " +
+                std::string(study::materialClassNames[std::size_t(materialClass)]) + "; at least 2 are needed.");
   const auto basis = study::learnedBasis(files, components, materials::BasisPrecision::half, control).basis;
   return {basis, &basis->components};
 }
@@ -115,7 +120,7 @@ void AcquisitionPlanner::plan(const PlanSettings& settings, const QString& measu
       settings.leaveOutReference ? without(settings.training.ids, measuredId) : settings.training.ids;
   // The published equation takes as many components as samples.
   const int components = std::max(study::defaultBasisComponents, m_settings.samples);
-  if (m_basis && ids == m_learned && components <= m_learnedComponents)
+  if (m_basis && ids == m_learned && settings.materialClass == m_learnedClass && components <= m_learnedComponents)
     choose();
   else
     learn(ids, components);
@@ -128,10 +133,13 @@ void AcquisitionPlanner::learn(const QStringList& ids, int components) {
   m_learned.clear();
   m_tasks.run<Basis>(
       {.title = tr("Learning from %n materials", nullptr, int(ids.size())), .key = m_taskKey, .isLong = true},
-      [ids, components](const TaskControl& control) { return learnLibraryComponents(ids, components, control); },
-      [this, ids, components](const Basis& basis) {
+      [ids, components, materialClass = m_settings.materialClass](const TaskControl& control) {
+        return learnLibraryComponents(ids, components, materialClass, control);
+      },
+      [this, ids, components, materialClass = m_settings.materialClass](const Basis& basis) {
         m_basis = basis;
         m_learned = ids;
+        m_learnedClass = materialClass;
         m_learnedComponents = components;
         choose();
       },

@@ -11,6 +11,7 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/dictionary/principal_components.h"
+#include "core/study/material_class.h"
 
 namespace gonio::app {
 
@@ -41,13 +42,16 @@ QString baseName(const QString& id);
 /// The ids without this material and copies of it, which have the same baseName().
 QStringList without(const QStringList& ids, const QString& id);
 
-/// study::learnedBasis() of library materials and files. @throws Error also if there are fewer than two materials.
-std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(const QStringList& ids, int components,
-                                                                              const TaskControl& control = {});
+/// study::learnedBasis() of library materials and files of a class. @throws Error also if there are fewer than two
+/// materials.
+std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(
+    const QStringList& ids, int components, study::MaterialClass materialClass = study::MaterialClass::all,
+    const TaskControl& control = {});
 
 /// Settings for the selection of directions.
 struct PlanSettings {
   TrainingSet training = libraryTraining();
+  study::MaterialClass materialClass = study::MaterialClass::all;  ///< the part of the training set that is used
   bool leaveOutReference = true;  ///< excludes the measured material from the training set
   acquisition::SelectionMethod method = acquisition::SelectionMethod::simultaneousPursuit;
   int samples = 20;
@@ -81,7 +85,7 @@ class AcquisitionPlanner : public QObject {
   /// The principal components; null until a training set is learned.
   const std::shared_ptr<const dictionary::PrincipalComponents>& basis() const { return m_basis; }
   /// Number of materials from which basis() was learned.
-  int learnedMaterials() const { return int(m_learned.size()); }
+  int learnedMaterials() const { return m_basis ? int(m_basis->svd.v.rows() / 3) : 0; }
   /// Whether a material, or a copy of it, is among the learned materials.
   bool hasLearned(const QString& id) const;
 
@@ -106,7 +110,8 @@ class AcquisitionPlanner : public QObject {
   QString m_taskKey;
   PlanSettings m_settings;
   std::shared_ptr<const dictionary::PrincipalComponents> m_basis;
-  QStringList m_learned;                             ///< materials of m_basis
+  QStringList m_learned;  ///< materials of m_basis
+  study::MaterialClass m_learnedClass = study::MaterialClass::all;
   int m_learnedComponents = 0;                       ///< maximum number of components of m_basis
   std::optional<acquisition::SamplingPlan> m_given;  ///< existing plan to use, if any
   int m_run = 0;  ///< number of the plan, to recognise directions of earlier plans that arrive late

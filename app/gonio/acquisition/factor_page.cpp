@@ -32,7 +32,7 @@ struct AxesText {
 };
 
 /// In the order of acquisition::FactorAxes.
-std::array<AxesText, 4> axesTexts() {
+std::array<AxesText, 5> axesTexts() {
   return {{{FactorPage::tr("Projected deviation (θR, |Δp|)"),
             FactorPage::tr("The axes of the published method (Tongbuasirilai et al. 2017, Efficient BRDF Sampling "
                            "Using Projected Deviation Vector Parameterization); θR is the polar angle of the mirror "
@@ -48,7 +48,11 @@ std::array<AxesText, 4> axesTexts() {
             FactorPage::tr("θd [°]"), FactorPage::tr("θh [°]")},
            {FactorPage::tr("Half-out (θo, θh)"),
             FactorPage::tr("Curves over the angle θo of the viewer and the half angle θh"), FactorPage::tr("θo [°]"),
-            FactorPage::tr("θh [°]")}}};
+            FactorPage::tr("θh [°]")},
+           {FactorPage::tr("Adaptive (all readings)"),
+            FactorPage::tr("The same number of readings, a third to a half of them at further angles; the material is "
+                           "fitted to all of them together, and the readings choose the distance between |Δp| and θh"),
+            FactorPage::tr("θd [°]"), FactorPage::tr("|Δp|")}}};
 }
 
 QWidget* labelled(const QString& text, QWidget* field) {
@@ -96,8 +100,9 @@ QLayout* FactorPage::buildSettings() {
   m_axes->setToolTip(
       tr("The two curves: the first over an angle, in the mirror direction; the second over the distance from the "
          "mirror direction.\n"
-         "The material is predicted as a product of the curves: ln(1 + ρ) = F1(angle) F2(distance)."));
-  m_axes->setCurrentIndex(int(acquisition::FactorAxes::symmetricDeviation));
+         "Adaptive axes fit the material to all readings. With other axes it is predicted as a product of the curves: "
+         "ln(1 + ρ) = F1(angle) F2(distance)."));
+  m_axes->setCurrentIndex(int(acquisition::FactorAxes::adaptive));
   m_fixedAngle = rowField(tr("Fixed angle"), {}, 0, maxFixedAngle, radians(1), QStringLiteral("°"), degrees(1));
   m_fixedAngle->setValue(acquisition::FactorPlanOptions().fixedAngle);
   m_readings = rowField(tr("Readings per curve"), {}, minReadings, maxReadings, 1, {});
@@ -107,11 +112,13 @@ QLayout* FactorPage::buildSettings() {
       tr("Limits the product of the curves in two ways. It is at most the larger of two readings: the one at the same "
          "angle and the one at the same distance.\n"
          "It is also at most the prediction with light and viewer exchanged. If off, the published equation is used "
-         "unchanged."));
-  m_openReadings->setToolTip(tr(
-      "Opens measured or saved readings of both curves and predicts the material from them.\n"
-      "CSV with the columns index, curve (along or across), theta_i, phi_i, theta_o, phi_o in degrees, and r, g, b in "
-      "1/sr"));
+         "unchanged.\n"
+         "With adaptive axes, only the first limit applies."));
+  m_openReadings->setToolTip(
+      tr("Opens measured or saved readings of both curves and predicts the material from them.\n"
+         "CSV with the columns index, curve (along, across or further), theta_i, phi_i, theta_o, phi_o in degrees, and "
+         "r, g, b in "
+         "1/sr"));
   m_open->setToolTip(
       tr("Opens the predicted material as a material that can be edited, saved and exported.\n"
          "Undo restores the previous material."));
@@ -189,7 +196,9 @@ void FactorPage::openReadings(const QString& path) {
   }
   m_axes->setCurrentIndex(int(m_opened->curves.axes));
   m_fixedAngle->setValue(m_opened->curves.fixedAngle);
-  m_readings->setValue(acquisition::plannedReadings(m_opened->curves.angles));
+  const bool isAdaptive = m_opened->curves.axes == acquisition::FactorAxes::adaptive;
+  m_readings->setValue(isAdaptive ? std::round(double(m_opened->readings.plan.curves.size()) / 2)
+                                  : acquisition::plannedReadings(m_opened->curves.angles));
   measure();
 }
 
@@ -268,6 +277,9 @@ QStringList FactorPage::facts() const {
                .arg(m_result->curves.angles.size())
                .arg(m_result->curves.distances.size());
   if (m_opened) texts.back() = texts.back().arg(m_opened->name());
+  if (const auto further = std::ranges::count(m_result->readings.plan.curves, acquisition::FactorCurve::further);
+      further > 0 && m_result->curves.axes == acquisition::FactorAxes::adaptive)
+    texts << tr("%1 at further angles").arg(further);
   if (const int blocked = m_result->readings.plan.blocked; blocked > 0)
     texts << tr("%1 left out (unreachable by the rig)").arg(blocked);
   return texts;
@@ -317,7 +329,10 @@ void FactorPage::refreshControls() {
       tr("Value of the first axis (θR, θd or θo) at which the second curve, over the distance from "
          "the mirror direction, is measured") +
       ofFile);
-  m_readings->setToolTip(tr("Number of readings of each of the two curves") + ofFile);
+  m_readings->setToolTip(
+      tr("Number of readings of each of the two curves. With adaptive axes, twice this number is distributed over the "
+         "two curves and further angles.") +
+      ofFile);
   for (widgets::NumberField* field : {m_fixedAngle, m_readings}) field->setEnabled(!m_opened);
 }
 

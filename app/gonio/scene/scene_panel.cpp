@@ -9,11 +9,13 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <map>
 
 #include "app/gonio/document/material_files.h"
 #include "core/io/mesh_file.h"
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/plan_check.h"
+#include "core/rendering/sampling_method.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/inputs/dialogs.h"
 #include "widgets/interpolation/material_slot_widget.h"
@@ -150,6 +152,21 @@ constexpr int shownReflections = 8;
 /// The entries of the list of scenes have the UpAxis with which they were last shown.
 constexpr int upRole = Qt::UserRole + 1;
 
+/// The materials with the sampling densities of a method; each is prepared once, though several objects may have it.
+rendering::RenderMaterials sampledMaterials(const rendering::RenderMaterials& materials, const std::string& method,
+                                            const TaskControl& control) {
+  if (method == rendering::samplingMethods().front().id) return materials;
+  std::map<const rendering::RenderMaterial*, std::shared_ptr<const rendering::RenderMaterial>> prepared;
+  rendering::RenderMaterials result;
+  for (const auto& material : materials) {
+    auto& sampled = prepared[material.get()];
+    if (material && !sampled)
+      sampled = rendering::sampledBy(method, std::shared_ptr<const Brdf>(material, &material->brdf()), control);
+    result.push_back(sampled);
+  }
+  return result;
+}
+
 /// What the objects of the preview's scene are made of.
 rendering::RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
   return rendering::bindMaterials(
@@ -175,6 +192,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_tasks(tasks),
       m_scenes(new QComboBox),
       m_up(new QComboBox),
+      m_sampling(new QComboBox),
       m_description(new QLabel),
       m_result(new QLabel),
       m_measure(new QPushButton(tr("Meas&ure Effects"))),
@@ -260,6 +278,19 @@ QWidget* ScenePanel::buildBottom() {
   label->setBuddy(m_reflections);
   layout->addWidget(label);
   layout->addWidget(m_reflections);
+  for (const rendering::SamplingMethod& method : rendering::samplingMethods()) {
+    m_sampling->addItem(QString::fromUtf8(method.name.data(), qsizetype(method.name.size())),
+                        QString::fromUtf8(method.id.data(), qsizetype(method.id.size())));
+    m_sampling->setItemData(m_sampling->count() - 1,
+                            QString::fromUtf8(method.text.data(), qsizetype(method.text.size())), Qt::ToolTipRole);
+  }
+  m_sampling->setToolTip(
+      tr("Importance sampling of the materials in the two measurements: from which density the reference renderer "
+         "samples directions. The preview does not depend on it"));
+  auto* samplingLabel = new QLabel(tr("Sa&mpling"));
+  samplingLabel->setBuddy(m_sampling);
+  layout->addWidget(samplingLabel);
+  layout->addWidget(m_sampling);
   layout->addWidget(m_measure);
   layout->addWidget(m_compare);
   layout->addWidget(m_result, 1);
@@ -333,8 +364,9 @@ void ScenePanel::measureCosts() {
   const rendering::EffectOverrides overrides = m_preview.content().overrides();
   m_tasks.run<rendering::EffectCosts>(
       {tr("Measuring the effects of %1").arg(QString::fromStdString(scene.name)), costsKey},
-      [scene, overrides, materials = materialsOf(m_preview.content())](const TaskControl& control) {
-        return rendering::measureEffectCosts(scene, materials, overrides,
+      [scene, overrides, materials = materialsOf(m_preview.content()),
+       method = m_sampling->currentData().toString().toStdString()](const TaskControl& control) {
+        return rendering::measureEffectCosts(scene, sampledMaterials(materials, method, control), overrides,
                                              {.width = costSide, .height = costSide, .samples = costSamples}, control);
       },
       [this](const rendering::EffectCosts& costs) {
@@ -374,17 +406,19 @@ void ScenePanel::compareWithReference() {
   m_result->setText(tr("Rendering the reference..."));
   m_tasks.run<double>(
       {tr("Rendering the reference of %1").arg(QString::fromStdString(scene.name)), renderReferenceKey},
-      [scene, overrides, thresholds, picture,
-       materials = materialsOf(m_preview.content())](const TaskControl& control) {
+      [scene, overrides, thresholds, picture, given = materialsOf(m_preview.content()),
+       method = m_sampling->currentData().toString().toStdString()](const TaskControl& control) {
+        const rendering::RenderMaterials materials = sampledMaterials(given, method, control);
         rendering::Film film(picture.width, picture.height);
         rendering::PathTracer(scene, materials, rendering::checkedPlan(scene, materials, overrides, thresholds), 2)
             .accumulate(film, referenceSamples, control);
         return metrics::signalToNoiseRatio(film.image(), picture);
       },
-      [this](double snr) {
-        m_result->setText(tr("Preview: SNR %1 dB against the reference with %2 samples per pixel")
-                              .arg(snr, 0, 'f', 1)
-                              .arg(referenceSamples));
+      [this, sampling = m_sampling->currentIndex() == 0 ? QString() : m_sampling->currentText()](double snr) {
+        const QString text = tr("Preview: SNR %1 dB against the reference with %2 samples per pixel")
+                                 .arg(snr, 0, 'f', 1)
+                                 .arg(referenceSamples);
+        m_result->setText(sampling.isEmpty() ? text : tr("%1 (sampling: %2)").arg(text, sampling));
       },
       [this](const QString& error) {
         m_result->clear();

@@ -109,7 +109,7 @@ class ScenePanel : public QWidget {
   widgets::PreviewWidget& m_preview;
   const Document& m_document;
   BackgroundTasks& m_tasks;
-  QComboBox *m_scenes, *m_up;
+  QComboBox *m_scenes, *m_up, *m_sampling;
   QLabel *m_description, *m_result;
   QPushButton *m_measure, *m_compare;
   QSpinBox* m_reflections;

@@ -127,6 +127,8 @@ class AcquisitionFactorsTest : public QObject {
     QVERIFY(std::abs(editor.curves().angles.back() - 89) < 1e-9);
     QCOMPARE(editor.pictureCount(), 3);
     QVERIFY(editor.text("numbers").contains("rendered SNR") && editor.text("numbers").contains("readings"));
+    // Adaptive axes are the default.
+    QVERIFY(expected.axes == acquisition::FactorAxes::adaptive && editor.text("numbers").contains("at further angles"));
     QVERIFY(std::abs(result.error->logError - metrics::brdfError(metrics::BrdfMetric::log, *table, *result.table)) <
             1e-12);
     QVERIFY(editor.panel.charts().isHidden());
@@ -278,7 +280,8 @@ class AcquisitionFactorsTest : public QObject {
     acquisition::writeFactorReadings(readings.plan, {}, editor.path("directions.csv").toStdString());
     QVERIFY(editor.errorOf("directions.csv").contains("directions.csv: line 2: found the columns index, curve"));
     editor.writeText("curve.csv", QByteArray(text).replace("across", "beside"));
-    QVERIFY(editor.errorOf("curve.csv").contains("found 'beside' in the column curve, expected along or across"));
+    QVERIFY(
+        editor.errorOf("curve.csv").contains("found 'beside' in the column curve, expected along, across or further"));
     editor.writeText("axes.csv", QByteArray(text).replace("half-difference", "half-out"));
     QString error = editor.errorOf("axes.csv");
     QVERIFY2(error.contains("axes.csv: sample") && !error.contains("Select the axes"), qPrintable(error));

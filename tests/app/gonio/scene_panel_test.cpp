@@ -13,6 +13,7 @@
 #include "app/gonio/window/document_files.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
+#include "core/rendering/sampling_method.h"
 #include "core/rendering/scene_file.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
@@ -105,6 +106,22 @@ class ScenePanelTest : public QObject {
     choose("torus");
     QTRY_VERIFY(!panel_->costs());
     QCOMPARE(rowsWithCost(), 0);
+  }
+
+  /// Every sampling method of goniotool can be chosen, with its name and a sentence, and the measurement uses it.
+  void measurementsSampleByAMethod() {
+    auto* sampling = test::child<QComboBox>(*panel_, "Sampling");
+    QCOMPARE(sampling->count(), int(samplingMethods().size()));
+    for (int i = 0; i < sampling->count(); ++i) {
+      QCOMPARE(sampling->itemData(i).toString().toStdString(), std::string(samplingMethods()[std::size_t(i)].id));
+      QVERIFY(!sampling->itemData(i, Qt::ToolTipRole).toString().isEmpty());
+    }
+    content().setSubject(widgets::measuredSubject(
+        app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->base));
+    QTRY_VERIFY(button("Measure Effects").isEnabled());
+    activate(*sampling, sampling->findData("cosine"));
+    button("Measure Effects").click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->costs(), 60000);
   }
 
   /// At rest the plan is checked against a picture with everything on: what it wrongly leaves out comes back.

@@ -34,6 +34,8 @@ class GoniotoolMeasureTest : public QObject {
                                << "readings";
     QTest::newRow("half-out") << "half-out"
                               << "readings";
+    QTest::newRow("adaptive") << "adaptive"
+                              << "readings";
   }
   void predictsAsTheLibrary() {
     QFETCH(QString, axes);
@@ -51,6 +53,7 @@ class GoniotoolMeasureTest : public QObject {
     QCOMPARE(found.json["along"].get<std::size_t>(), curves.angles.size());
     QCOMPARE(found.json["across"].get<std::size_t>(), curves.distances.size());
     QCOMPARE(found.json["samples"].get<int>() + found.json["blocked"].get<int>(), 110);
+    QCOMPARE(found.json["further"].get<int>() > 0, axes == "adaptive");
     QCOMPARE(found.json["support"]["warnings"].size(), supportOf(curves).warnings.size());
     QVERIFY(std::abs(found.json["brdfSnr"].get<double>() - metrics::brdfSignalToNoiseRatio(*table_, *predicted)) <
             1e-9);

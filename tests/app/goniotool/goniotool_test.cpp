@@ -75,6 +75,25 @@ class GoniotoolTest : public QObject {
     QCOMPARE(lines[2], QByteArray("10,0,100,40,0,0,0"));
   }
 
+  /// Half-out coordinates: theta_h = 0 is the mirror direction. Where no light has the coordinates, fields are empty.
+  void evaluateInOtherCoordinates() {
+    const QString in = folder_.path("half-out.csv"), out = folder_.path("values.csv");
+    folder_.writeText("half-out.csv", "theta_o,theta_h,phi_h\n30,0,0\n80,80,180\n");
+    const ToolResult result =
+        runJson({"evaluate", plastic_, "--coordinates", "half-out", "--directions", in, "--out", out, "--force"});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["evaluated"].get<int>(), 1);
+    QCOMPARE(result.json["withoutDirections"].get<int>(), 1);
+    const QList<QByteArray> lines = bytesOf(out).split('\n');
+    QCOMPARE(lines[0], QByteArray("theta_o,theta_h,phi_h,theta_i,phi_i,phi_o,r,g,b"));
+    const QList<QByteArray> mirror = lines[1].split(',');
+    QVERIFY(std::abs(mirror[3].toDouble() - 30) < 1e-9);
+    const Rgb expected = readTable(plastic_)->evaluate(fromSpherical(radians(30), 0), fromSpherical(radians(30), pi));
+    QVERIFY(std::abs(mirror[6].toDouble() / expected.x - 1) < 1e-9);
+    QCOMPARE(lines[2], QByteArray("80,80,180,,,,,,"));
+    QCOMPARE(runTool({"evaluate", plastic_, "--coordinates", "pdv", "--directions", in, "--out", out}).code, 2);
+  }
+
   void evaluateTellsTheLine() {
     const QString in = folder_.path("wrong.csv");
     folder_.writeText("wrong.csv", "1,2,3,4\n1,2,x,4\n");

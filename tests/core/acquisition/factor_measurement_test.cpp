@@ -21,7 +21,7 @@ class FactorMeasurementTest : public QObject {
   /// The curves of z = (1 + angle) / (1 + 2 distance), by the closed form.
   void curvesOfAProduct_data() {
     QTest::addColumn<int>("axes");
-    for (int axes = 0; axes < int(factorAxesNames.size()); ++axes)
+    for (int axes = 0; axes < test::productAxes; ++axes)
       QTest::newRow(factorAxesNames[std::size_t(axes)].data()) << axes;
   }
   void curvesOfAProduct() {

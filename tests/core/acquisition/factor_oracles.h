@@ -12,13 +12,17 @@
 
 namespace gonio::test {
 
+/// The axes of products of two curves; the others follow.
+inline constexpr int productAxes = int(acquisition::FactorAxes::adaptive);
+
 /// (angle, distance) of a pair, computed again for the tests.
 inline glm::dvec2 factorPlaceOf(acquisition::FactorAxes axes, const Direction& wi, const Direction& wo) {
   using acquisition::FactorAxes;
   const ProjectedDeviation projected = toProjectedDeviation(wi, wo);
   const HalfOut half = toHalfOut(wi, wo);
   if (axes == FactorAxes::projectedDeviation) return {projected.thetaR, projected.deviation};
-  if (axes == FactorAxes::symmetricDeviation) return {toHalfDifference(wi, wo).thetaD, projected.deviation};
+  if (axes == FactorAxes::symmetricDeviation || axes == FactorAxes::adaptive)
+    return {toHalfDifference(wi, wo).thetaD, projected.deviation};
   return {axes == FactorAxes::halfOut ? half.thetaO : toHalfDifference(wi, wo).thetaD, half.thetaH};
 }
 

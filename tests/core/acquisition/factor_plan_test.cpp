@@ -4,6 +4,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <set>
 
 #include "core/support/error.h"
 #include "tests/core/acquisition/factor_oracles.h"
@@ -33,14 +34,37 @@ class FactorPlanTest : public QObject {
       QVERIFY(std::abs(glm::cross(wi, wo).z) < 1e-9 || std::abs(wi.y * wo.x - wi.x * wo.y) < 1e-9);
       QVERIFY(polarAngle(wi) < radians(89.001) && polarAngle(wo) < radians(89.001));
       QVERIFY(glm::length(wi - wo) >= 2 * std::sin(radians(1)) - 1e-12);
-      // theta_d of a reading of the symmetric axes is not the fixed angle: theta_R is.
-      const FactorAxes read = which == FactorAxes::symmetricDeviation ? FactorAxes::projectedDeviation : which;
-      const glm::dvec2 at = test::factorPlaceOf(read, wi, wo);
+      const glm::dvec2 at = test::factorPlaceOf(readAxes(which), wi, wo);
       if (plan.curves[i] == FactorCurve::along)
         QVERIFY(at.y < 1e-9);
-      else
+      else if (plan.curves[i] == FactorCurve::across)
         QVERIFY(std::abs(at.x - radians(40)) < 1e-9);
     }
+  }
+
+  /// As many readings as with other axes; the further ones on both sides of the mirror direction, at up to five angles
+  /// other than the fixed one.
+  void furtherReadings() {
+    for (const auto& [each, angles] : {std::pair(10, 1), std::pair(30, 3), std::pair(90, 5)}) {
+      const FactorPlan plan = planFactors({.axes = FactorAxes::adaptive, .angles = each, .distances = each});
+      QCOMPARE(int(plan.curves.size()) + plan.blocked, 2 * each);
+      std::set<int> viewers;
+      int lower = 0, upper = 0;
+      for (std::size_t i = 0; i < plan.curves.size(); ++i) {
+        if (plan.curves[i] != FactorCurve::further) continue;
+        const auto& [wi, wo] = plan.plan.samples[i].directions;
+        QVERIFY(std::abs(wi.x + wo.x) > 1e-6);
+        viewers.insert(int(std::lround(degrees(polarAngle(wo)))));
+        ++(wi.x < -wo.x ? lower : upper);
+      }
+      QCOMPARE(int(viewers.size()), angles);
+      QVERIFY(!viewers.contains(60) && lower > 0 && upper > lower);
+    }
+    // The fixed angle may be one of them: no curve twice.
+    const FactorPlan plan = planFactors({.axes = FactorAxes::adaptive, .fixedAngle = radians(25)});
+    for (std::size_t i = 0; i < plan.curves.size(); ++i)
+      QVERIFY(plan.curves[i] != FactorCurve::further ||
+              std::abs(polarAngle(plan.plan.samples[i].directions.wo) - radians(25)) > radians(5));
   }
 
   /// One arm occludes the other: no reading along the normal, nor at retro-reflection.

@@ -32,7 +32,7 @@ class FactorPredictionTest : public QObject {
   void hardCase20ProductsArePredicted_data() {
     QTest::addColumn<int>("axes");
     QTest::addColumn<int>("bound");
-    for (int axes = 0; axes < int(factorAxesNames.size()); ++axes)
+    for (int axes = 0; axes < test::productAxes; ++axes)
       for (const FactorBound bound : {FactorBound::none, FactorBound::readings})
         // Such a product over theta_R or theta_o is not reciprocal, which the bound requires.
         if (bound == FactorBound::none || areReciprocal(FactorAxes(axes)))

@@ -79,7 +79,7 @@ class FactorReadingsFileTest : public QObject {
       QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(error);
     };
     row("curve", with("4,across", "4,sideways"),
-        "line 5: found 'sideways' in the column curve, expected along or across");
+        "line 5: found 'sideways' in the column curve, expected along, across or further");
     row("no curves", with("index,curve", "index,kind"), "curve");
     row("angle", with("20,180,60", "95,180,60"), "line 5: found 95 for theta_i");
     row("value", with("1,0.9,0.8\n3", "-1,0.9,0.8\n3"), "line 3: found -1 for r");

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/acquisition/reconstruction.h"
 
+#include <Eigen/QR>
 #include <QTest>
 #include <limits>
 #include <random>
@@ -82,6 +83,33 @@ class SparseSamplesTest : public QObject {
     QVERIFY(std::abs(found(0, 0) - 1) < 1e-10 && std::abs(found(0, 2) + 2) < 1e-10 && found.col(1).isZero(0));
   }
 
+  /// Fewer samples than components: of all coefficients that explain the values, those with the smallest sum of
+  /// absolute values are the few that made them.
+  void basisPursuitFindsFewComponents() {
+    SampleRows samples = randomSamples(14, 30, 7);
+    samples.rows = samples.rows * Eigen::VectorXd::LinSpaced(30, 1, 30).asDiagonal();  // of equal size
+    MatrixXd truth = MatrixXd::Zero(30, 3);
+    truth(2, 0) = 1;
+    truth(17, 0) = -2;
+    truth(25, 2) = 0.5;
+    samples.values = samples.rows * truth;
+    const MatrixXd found = basisPursuitCoefficients(samples);
+    QVERIFY((found - truth).cwiseAbs().maxCoeff() < 1e-3);
+    QVERIFY(found.col(1).isZero(0));
+    // The least-norm solution, which explains the values too, has another sum.
+    const Eigen::VectorXd leastNorm = samples.rows.completeOrthogonalDecomposition().solve(samples.values.col(0));
+    QVERIFY(leastNorm.lpNorm<1>() > 1.2 * found.col(0).lpNorm<1>());
+  }
+
+  /// Noise: the penalty that predicts left-out samples is neither 0 nor the one that sets all to 0.
+  void basisPursuitOfNoise() {
+    const SampleRows samples = randomSamples(40, 30, 8);
+    const MatrixXd found = basisPursuitCoefficients(samples);
+    QVERIFY(!found.isZero(1e-3));
+    QVERIFY((samples.rows * found - samples.values).norm() > 0.2 * samples.values.norm() / 10);
+    QCOMPARE(basisPursuitCoefficients(samples), found);
+  }
+
   void canBeStopped() {
     std::stop_source source;
     int reports = 0;
@@ -92,6 +120,7 @@ class SparseSamplesTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(sparseCoefficients(randomSamples(20, 20, 6), 0, control), Cancelled);
     QCOMPARE(reports, 1);
     QVERIFY_EXCEPTION_THROWN(sparseCoefficients(randomSamples(20, 20, 6), 3, control), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(basisPursuitCoefficients(randomSamples(20, 20, 6), control), Cancelled);
   }
 };
 

@@ -36,10 +36,19 @@ class PublishedPdvTest : public QObject {
     }
     // ln(1 + 1) of three channels, over 30 viewers and 8 azimuths.
     QVERIFY(std::abs(energy[0] - 30 * 8 * 3 * std::log(2)) < 0.05 * energy[0]);
+    // As printed: rho = 1.
+    const std::vector<double> printed = publishedDeviationEnergy(test::lambert(Rgb(pi)), {}, DataTransform::none);
+    QVERIFY(std::abs(printed[0] * std::log(2) / energy[0] - 1) < 1e-12);
   }
 
+  void libraryNodesRise_data() {
+    QTest::addColumn<int>("energy");
+    QTest::newRow("ln(1 + rho)") << int(DataTransform::logPlus);
+    QTest::newRow("rho") << int(DataTransform::none);
+  }
   void libraryNodesRise() {
-    const std::vector<double> nodes = libraryDeviationNodes();
+    QFETCH(int, energy);
+    const std::vector<double> nodes = libraryDeviationNodes(DataTransform(energy));
     QCOMPARE(nodes.size(), std::size_t(defaultDeviations));
     QCOMPARE(nodes.front(), 0.0);
     QVERIFY(std::abs(nodes.back() - maxDeviation) < 1e-8);

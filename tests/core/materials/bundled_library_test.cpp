@@ -104,18 +104,23 @@ class BundledLibraryTest : public QObject {
   void nodesOfProjectedDeviations() {
     using namespace factorization;
     const std::vector<std::string> paths = libraryTrainingPaths();
-    std::vector<double> energy;
-    for (std::size_t i = 0; i < paths.size(); i += test::longTests() ? 1 : 15) {
-      const auto one = publishedDeviationEnergy(*readLibraryMaterial(paths[i]).tabulated({}));
-      energy.resize(one.size());
-      for (std::size_t j = 0; j < one.size(); ++j) energy[j] += one[j];
-    }
-    const std::vector<double> stored = libraryDeviationNodes(), nodes = deviationNodes(energy, defaultDeviations);
-    QCOMPARE(nodes.size(), stored.size());
-    const double tolerance = test::longTests() ? 1e-7 : 0.1;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      QVERIFY2(std::abs(nodes[i] - stored[i]) < tolerance,
-               qPrintable(QString("%1: %2 %3").arg(i).arg(nodes[i]).arg(stored[i])));
+    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::none}) {
+      std::vector<double> energy;
+      for (std::size_t i = 0; i < paths.size(); i += test::longTests() ? 1 : 15) {
+        const auto one = publishedDeviationEnergy(*readLibraryMaterial(paths[i]).tabulated({}), {}, transform);
+        energy.resize(one.size());
+        for (std::size_t j = 0; j < one.size(); ++j) energy[j] += one[j];
+      }
+      const std::vector<double> stored = libraryDeviationNodes(transform),
+                                nodes = deviationNodes(energy, defaultDeviations);
+      QCOMPARE(nodes.size(), stored.size());
+      // The energy rho of few materials is that of the one with the largest values.
+      if (transform == DataTransform::none && !test::longTests()) continue;
+      const double tolerance = test::longTests() ? 1e-7 : 0.1;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        QVERIFY2(std::abs(nodes[i] - stored[i]) < tolerance,
+                 qPrintable(QString("%1: %2 %3").arg(i).arg(nodes[i]).arg(stored[i])));
+      }
     }
   }
 };
