@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
 # scripts/screenshots.sh [FOLDER [NAME ...]]: takes the pictures of the editor in README and docs, or those of these names, on
-# a virtual display, into docs/images. A minute each.
+# a virtual display, into docs/images. A minute each. GONIO names another build's program.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 folder=${1:-$root/docs/images}
-editor=$root/build/release/app/gonio/gonio
+editor=${GONIO:-$root/build/release/app/gonio/gonio}
 [ -x "$editor" ] || { echo "screenshots: build the editor first (./run)" >&2; exit 1; }
 mkdir -p "$folder"
 [ $# -eq 0 ] || shift

@@ -57,6 +57,14 @@ class NumberFieldTest : public QObject {
     QCOMPARE(field.text(), QStringLiteral("2"));
     QTest::keyClicks(&field, QStringLiteral("3c"));
     QCOMPARE(field.text(), QStringLiteral("3c"));
+    // Also after the program has changed the number, as undo does.
+    field.show();
+    field.activateWindow();
+    field.setFocus();
+    QTRY_VERIFY(field.hasFocus());
+    field.setValue(4);
+    QTest::keyClicks(&field, QStringLiteral("c"));
+    QCOMPARE(field.text(), QStringLiteral("4"));
     type(field, "pi");
     QCOMPARE(field.text(), QStringLiteral("pi"));
   }

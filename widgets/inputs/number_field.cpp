@@ -152,6 +152,8 @@ void NumberField::setUnit(const QString& unit, double displayFactor, double disp
 void NumberField::setValue(double value) {
   m_value = value;
   restore();
+  // As after Enter: what is typed next replaces the number, and letters are shortcuts.
+  if (hasFocus()) selectAll();
 }
 
 QString NumberField::formatted(double value) const {

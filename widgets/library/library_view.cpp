@@ -179,7 +179,7 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
 }
 
 namespace {
-constexpr int minTile = 64, maxTile = 256, defaultTile = 96;
+constexpr int minTile = 64, maxTile = 256, defaultTile = 88;
 constexpr int visibleDelayMilliseconds = 60, similarityMode = 4;
 }  // namespace
 

@@ -16,7 +16,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int textLines = 5, nameLines = 2, maxSelected = 2;
+constexpr int textLines = 5, nameLines = 2, maxSelected = 2, minTileSide = 48;
 }
 
 /// Where things stand, in pixels of the drawing.
@@ -51,9 +51,10 @@ ContactSheet::Layout ContactSheet::layoutFor(int tileSide, int columns, const QF
           .scale = maps};
 }
 
-ContactSheet::Layout ContactSheet::ownLayout() const {
+ContactSheet::Layout ContactSheet::layoutIn(int width) const {
   const int gap = fontMetrics().lineSpacing();
-  return layoutFor(m_side, (width() - gap) / (m_side + gap), font());
+  if (m_columns == 0) return layoutFor(m_side, (width - gap) / (m_side + gap), font());
+  return layoutFor(std::clamp((width - gap) / m_columns - gap, minTileSide, m_side), m_columns, font());
 }
 
 void ContactSheet::setTiles(std::vector<SheetTile> tiles) {
@@ -82,6 +83,12 @@ void ContactSheet::setMapsShown(bool shown) {
 
 void ContactSheet::setTileSide(int pixels) {
   m_side = pixels;
+  updateGeometry();
+  update();
+}
+
+void ContactSheet::setColumns(int columns) {
+  m_columns = columns;
   updateGeometry();
   update();
 }
@@ -139,14 +146,12 @@ QImage ContactSheet::picture(int tileSide, int columns) const {
   return image;
 }
 
-int ContactSheet::heightForWidth(int width) const {
-  const int gap = fontMetrics().lineSpacing();
-  return layoutFor(m_side, (width - gap) / (m_side + gap), font()).size().height();
-}
+int ContactSheet::heightForWidth(int width) const { return layoutIn(width).size().height(); }
 
 QSize ContactSheet::sizeHint() const { return layoutFor(m_side, 4, font()).size(); }
 QSize ContactSheet::minimumSizeHint() const {
-  return {layoutFor(m_side, 1, font()).size().width(), heightForWidth(width())};
+  const Layout narrowest = m_columns == 0 ? layoutFor(m_side, 1, font()) : layoutFor(minTileSide, m_columns, font());
+  return {narrowest.size().width(), heightForWidth(width())};
 }
 
 void ContactSheet::draw(QPainter& painter, const Layout& layout, const QColor& text) const {
@@ -164,7 +169,8 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
     painter.drawPixmap(square, scaledPixmap(image, square.size() * painter.device()->devicePixelRatioF()));
   };
   if (tile.picture.isNull())
-    drawPlaceholder(painter, QRect(place.topLeft(), QSize(layout.side, layout.side)));
+    drawPlaceholder(painter, QRect(place.topLeft(), QSize(layout.side, layout.side)),
+                    tile.note.isEmpty() ? tr("Rendering...") : tile.note);
   else
     drawSquare(tile.picture, place.top());
   if (layout.scale && !tile.map.isNull()) drawSquare(tile.map, place.top() + layout.side);
@@ -183,15 +189,14 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
                    fitting(painter, tile.numbers, layout.side, textLines - nameLines));
 }
 
-/// Where a picture is still to come.
-void ContactSheet::drawPlaceholder(QPainter& painter, const QRect& square) const {
+void ContactSheet::drawPlaceholder(QPainter& painter, const QRect& square, const QString& note) const {
   painter.save();
   painter.setOpacity(0.5);
   painter.setPen(Qt::DashLine);
   painter.setBrush(Qt::NoBrush);
   const int margin = square.width() / 8;
   painter.drawEllipse(square.adjusted(margin, margin, -margin, -margin));
-  painter.drawText(square, Qt::AlignCenter, tr("Rendering..."));
+  painter.drawText(square, Qt::AlignCenter | Qt::TextWordWrap, note);
   painter.restore();
 }
 
@@ -215,7 +220,7 @@ void ContactSheet::drawScale(QPainter& painter, const Layout& layout) const {
 
 void ContactSheet::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  const Layout layout = ownLayout();
+  const Layout layout = layoutIn(width());
   painter.setRenderHint(QPainter::Antialiasing);
   QColor fill = palette().color(QPalette::Highlight);
   fill.setAlphaF(0.25f);
@@ -233,13 +238,13 @@ void ContactSheet::paintEvent(QPaintEvent*) {
 }
 
 void ContactSheet::mousePressEvent(QMouseEvent* event) {
-  const Layout layout = ownLayout();
+  const Layout layout = layoutIn(width());
   for (int i = 0; i < layout.count; ++i)
     if (layout.tile(i).contains(event->pos())) return toggle(i);
 }
 
 void ContactSheet::keyPressEvent(QKeyEvent* event) {
-  const int columns = ownLayout().columns;
+  const int columns = layoutIn(width()).columns;
   const auto go = [&](int steps) {
     m_current = std::clamp(m_current + steps, 0, std::max(0, int(m_tiles.size()) - 1));
     update();

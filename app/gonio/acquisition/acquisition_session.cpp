@@ -11,6 +11,7 @@
 #include "app/gonio/document/material_files.h"
 #include "core/materials/encode.h"
 #include "core/materials/material.h"
+#include "widgets/inputs/menu_text.h"
 
 namespace gonio::app {
 
@@ -43,7 +44,7 @@ void ReferenceReader::read(const QString& id, const QString& name, TableFactory 
 void ReferenceReader::start(std::function<AcquisitionReferencePtr(const TaskControl&)> make) {
   m_reference.reset();
   m_tasks.run<AcquisitionReferencePtr>(
-      {tr("Preparing %1").arg(m_name), acquisitionReferenceKey}, std::move(make),
+      {tr("Preparing %1").arg(widgets::spacedName(m_name)), acquisitionReferenceKey}, std::move(make),
       [this](const AcquisitionReferencePtr& reference) { finish(reference); },
       [this](const QString& error) {
         const QString name = m_name;

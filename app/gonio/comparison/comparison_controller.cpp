@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "app/gonio/document/loaded_material.h"
+#include "app/gonio/document/material_files.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_overlay.h"
@@ -52,7 +54,7 @@ ComparisonController::ComparisonController(Document& document, BackgroundTasks& 
 
 void ComparisonController::openReference(const QString& path) {
   m_tasks.run<LoadedMaterialPtr>(
-      {tr("Opening %1 as the reference").arg(path.section('/', -1)), openReferenceKey},
+      {tr("Opening %1 as the reference").arg(shortName(path)), openReferenceKey},
       [path](const TaskControl& control) { return loadEdited(path.toStdString(), control); },
       [this](const LoadedMaterialPtr& material) {
         m_reference = material;
@@ -153,9 +155,11 @@ void ComparisonController::showBanner() {
   const auto kind = standIn();
   if (!kind) return m_preview.overlay()->setBanner({}, {});
   const QString what = *kind == StandIn::blend ? tr("the blend %1").arg(standInName()) : standInName();
-  if (!m_document.material()) return m_preview.overlay()->setBanner(tr("Showing %1").arg(what), tr("Hide the Blend"));
-  m_preview.overlay()->setBanner(tr("Showing %1 instead of %2").arg(what, m_document.name()),
-                                 *kind == StandIn::match ? tr("Leave") : tr("Back to the Material"));
+  if (!m_document.material())
+    return m_preview.overlay()->setBanner(tr("Showing %1").arg(widgets::spacedName(what)), tr("Hide the Blend"));
+  m_preview.overlay()->setBanner(
+      tr("Showing %1 instead of %2").arg(widgets::spacedName(what), widgets::spacedName(m_document.name())),
+      *kind == StandIn::match ? tr("Leave") : tr("Back to the Material"));
 }
 
 void ComparisonController::setCode(std::shared_ptr<const MaterialCode> code) {
@@ -203,7 +207,7 @@ QString ComparisonController::name(ComparedSubject side) const {
   if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
     return *kind == StandIn::blend ? tr("Blend") : standInName();
   if (side == ComparedSubject::reference)
-    return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
+    return m_reference ? widgets::spacedName(QString::fromStdString(m_reference->material.name)) : QString();
   if (!material) return {};
   if (const WavelengthSubjects* one = wavelength();
       one && (side == ComparedSubject::measured || side == ComparedSubject::edited))
@@ -213,7 +217,7 @@ QString ComparisonController::name(ComparedSubject side) const {
   if (side == ComparedSubject::measured) return sourceKind(*material);
   if (side == ComparedSubject::edited && code()) return isEdited() ? tr("Encoded, edited") : tr("Encoded");
   if (side == ComparedSubject::edited)
-    return isEdited() ? tr("Edited") : QString::fromStdString(material->material.name);
+    return isEdited() ? tr("Edited") : widgets::spacedName(QString::fromStdString(material->material.name));
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   return edit ? tr("Fit: %1").arg(widgets::toQString(edit->model->spec().name)) : QString();
 }

@@ -45,8 +45,6 @@ const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"),
 /// Log error of several lobes, relative to that of the default model, up to which they are proposed.
 constexpr double muchCloser = 0.6;
 
-QString shortName(const QString& path) { return path.section('/', -1); }
-
 editing::FactorEdit carriedOver(const editing::FactorEdit& edit, const TabulatedBrdf& table,
                                 const TaskControl& control) {
   const factorization::PdvOptions options{

@@ -8,6 +8,7 @@
 
 #include "core/documents/edit_document.h"
 #include "core/formats/formats.h"
+#include "widgets/inputs/menu_text.h"
 
 namespace gonio::app {
 
@@ -64,6 +65,11 @@ QString tableSuffix() { return formatSuffix(formats::merlFormat); }
 
 bool isDocument(const QString& path) { return documents::isDocumentName(path.toStdString()); }
 QString documentSuffix() { return toQt(documents::documentSuffix); }
+
+QString shortName(const QString& id) {
+  const QString last = id.section('/', -1);
+  return id.startsWith(QLatin1String("library:")) ? widgets::spacedName(last) : last;
+}
 
 QString materialName(const QString& id) {
   const QString last = id.section('/', -1);

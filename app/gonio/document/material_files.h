@@ -33,6 +33,8 @@ QString tableSuffix();
 bool isDocument(const QString& path);
 QString documentSuffix();
 
+/// The name of a material for display: that of the file, or of a bundled material, with spaces for underscores.
+QString shortName(const QString& id);
 /// Name of a material: "chrome" for "library:merl-copy/chrome" and for "/data/chrome.binary".
 QString materialName(const QString& id);
 /// Distinct names of several materials: equal names are extended with their source or suffix, e.g. "paper_rgl".

@@ -50,6 +50,7 @@ void BatchDialog::build() {
   for (QLabel** label : {&m_description, &m_files}) {
     *label = exportText();
     (*label)->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    (*label)->setMinimumWidth(m_folder->minimumWidth());  // else as tall as for one letter a line
   }
   auto* browse = new QPushButton(tr("&Browse..."));
   browse->setAutoDefault(false);

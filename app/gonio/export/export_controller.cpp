@@ -51,7 +51,7 @@ QLabel* exportText() {
 namespace {
 
 const QString trialKey = QStringLiteral("export-trial"), pictureKey = QStringLiteral("export-picture");
-constexpr int trialPixels = 288, trialSamples = 32, coarsePixels = 96, coarseSamples = 4;
+constexpr int trialPixels = 288, trialSamples = 32, coarsePixels = 96, coarseSamples = 16;
 
 std::vector<std::string> messagesOf(const exports::ExportResult& made) {
   std::vector<std::string> messages = made.losses;
@@ -118,6 +118,19 @@ QImage ExportController::picture(const materials::EditedMaterial& material) cons
   return isKnown(material) ? m_known.picture : QImage();
 }
 
+QImage ExportController::expected(const materials::EditedMaterial& material,
+                                  const exports::ExportTarget& target) const {
+  if (!isKnown(material) || target.group == exports::TargetGroup::data) return {};
+  return target.group == exports::TargetGroup::renderers ? m_known.picture : m_known.fit;
+}
+
+/// The model with the edits of the sliders; null if there is none, or if there are edits of another kind.
+std::shared_ptr<const Brdf> ExportController::editedFit() const {
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  if (!edit || m_document.edits().size() > 1 || edit->changesColours()) return nullptr;
+  return edit->model->instantiate(edit->target());
+}
+
 ExportTrialPtr ExportController::known(const materials::EditedMaterial& material, const exports::ExportTarget& target,
                                        double snr) const {
   const auto found = m_known.trials.find(keyOf(target, snr));
@@ -151,13 +164,18 @@ void ExportController::tryOut(const materials::EditedMaterial& material, const e
 
 /// At once, beside the trial.
 void ExportController::drawCoarse(const std::function<void()>& changed) {
-  m_tasks.run<QImage>(
+  struct Coarse {
+    QImage material, fit;
+  };
+  m_tasks.run<Coarse>(
       {.title = tr("Rendering the material"), .key = pictureKey, .live = true},
-      [brdf = m_known.material.shown.brdf](const TaskControl& control) {
-        return spherePicture(*brdf, coarsePixels, coarseSamples, control);
+      [brdf = m_known.material.shown.brdf, fit = editedFit()](const TaskControl& control) {
+        return Coarse{spherePicture(*brdf, coarsePixels, coarseSamples, control.between(0, 0.5)),
+                      fit ? spherePicture(*fit, coarsePixels, coarseSamples, control.between(0.5, 1)) : QImage()};
       },
-      [this, changed](const QImage& picture) {
-        if (!m_known.isRefined) m_known.picture = picture;
+      [this, changed](const Coarse& coarse) {
+        if (!m_known.isRefined) m_known.picture = coarse.material;
+        m_known.fit = coarse.fit;
         changed();
       });
 }

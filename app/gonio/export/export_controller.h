@@ -67,6 +67,9 @@ class ExportController : public QObject {
               const std::function<void(const QString&)>& failed);
   /// The picture of a material; null if it is not known.
   QImage picture(const materials::EditedMaterial& material) const;
+  /// A coarse picture of what an export is expected to look like, until there is a trial: of the material for renderers
+  /// that read its values, of its fit for engines; null if neither tells.
+  QImage expected(const materials::EditedMaterial& material, const exports::ExportTarget& target) const;
   /// The trial of a material; null if it is not known. Every target has its own, also where two write the same files:
   /// Mitsuba reads the colours of an RGL file, pbrt the spectra.
   ExportTrialPtr known(const materials::EditedMaterial& material, const exports::ExportTarget& target,
@@ -107,13 +110,14 @@ class ExportController : public QObject {
   static Key keyOf(const exports::ExportTarget& target, double snr) { return {target.id, target.usesSnr ? snr : 0}; }
   bool isKnown(const materials::EditedMaterial& material) const;
   void drawCoarse(const std::function<void()>& changed);
+  std::shared_ptr<const Brdf> editedFit() const;
   void refine(const Key& key, const QString& title, const std::function<void()>& changed,
               const std::function<void(const QString&)>& failed);
 
   /// What is known of one material with its edits.
   struct Known {
     materials::EditedMaterial material;
-    QImage picture;
+    QImage picture, fit;     ///< of the material, and of its edited fit
     bool isRefined = false;  ///< the picture
     std::map<Key, ExportTrialPtr> trials;
   };

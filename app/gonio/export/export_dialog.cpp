@@ -329,7 +329,6 @@ bool ExportDialog::withScene() const { return m_withScene->isEnabled() && m_with
 void ExportDialog::showTarget() {
   m_purpose->setText(widgets::toQString(target().purpose));
   m_description->setText(widgets::toQString(target().description) + '\n' + widgets::toQString(target().limitations));
-  m_pictures->setExportedName(tr("Export for %1").arg(widgets::toQString(target().label)));
   m_snr->setEnabled(target().usesSnr);
   m_withScene->setEnabled(target().scene != nullptr);
   m_error.clear();
@@ -362,7 +361,11 @@ void ExportDialog::showTrial() {
     item->setText(bytesColumn, of ? exportBytesText(of->made.bytes()) : QString());
   }
   const ExportTrialPtr shown = trial();
-  m_pictures->setPictures(m_controller.picture(m_material), shown ? shown->exported : QImage());
+  const QString label = widgets::toQString(target().label);
+  const QImage expected = shown ? QImage() : m_controller.expected(m_material, target());
+  m_pictures->setPictures(m_controller.picture(m_material), shown ? shown->exported : expected);
+  m_pictures->setExportedName(expected.isNull() ? tr("Export for %1").arg(label)
+                                                : tr("Export for %1, expected").arg(label));
   QStringList numbers, warnings;
   if (!shown) {
     m_match->setText(m_error.isEmpty() ? tr("Preparing the export...") : m_error);

@@ -195,7 +195,7 @@ void FactorCurvesPanel::request() {
     m_running = true;
     m_requested = kind();
     m_tasks.run<FactorsWithCosts>(
-        {tr("Factorising %1").arg(QString::fromStdString(material->material.name)), factorKey},
+        {tr("Factorising %1").arg(widgets::spacedName(QString::fromStdString(material->material.name))), factorKey},
         [material, kind = kind()](const TaskControl& control) { return factorizeWithCosts(material, kind, control); },
         [this](const FactorsWithCosts& measured) { adopt(measured); },
         [this](const QString& error) {
@@ -278,3 +278,4 @@ void FactorCurvesPanel::showResiduals(FactorColumn& column) {
 }  // namespace gonio::app
 
 #include "moc_factor_curves_panel.cpp"
+#include "widgets/inputs/menu_text.h"

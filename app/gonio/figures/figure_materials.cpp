@@ -15,6 +15,7 @@
 #include "app/gonio/document/material_files.h"
 #include "widgets/figures/entry_list.h"
 #include "widgets/inputs/dialogs.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/material_drag.h"
 #include "widgets/parameters/parameter_text.h"
@@ -255,10 +256,10 @@ void FigureMaterials::showNote() {
   const QString open = openId();
   QString note;
   if (document.material() && open.isEmpty())
-    note = tr("%1 has no file. Save it as a document to add it.").arg(document.name());
+    note = tr("%1 has no file. Save it as a document to add it.").arg(widgets::spacedName(document.name()));
   else if (contains(open) && document.isModified())
     note = tr("Unsaved edits of %1 are not in the figure. Save the document%2.")
-               .arg(document.name(), document.path().isEmpty() ? tr(" and add it") : QString());
+               .arg(widgets::spacedName(document.name()), document.path().isEmpty() ? tr(" and add it") : QString());
   m_note->setText(note);
   m_note->setVisible(!note.isEmpty());
 }

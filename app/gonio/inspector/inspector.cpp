@@ -305,18 +305,20 @@ void Inspector::showValues() {
 void Inspector::connectEdits() {
   using widgets::EditStack;
   connect(m_monitor, &PlausibilityMonitor::energiesChanged, this, &Inspector::showEdits);
-  connect(m_edits, &EditStack::selectionChosen, &m_document, &Document::select);
+  connect(m_edits, &EditStack::selectionChosen, this, [this](int entry) { m_document.select(editOf(entry)); });
   connect(m_edits, &EditStack::editingStarted, &m_document, &Document::beginInteraction);
   connect(m_edits, &EditStack::editingFinished, &m_document, &Document::endInteraction);
   connect(m_edits, &EditStack::enabledChosen, this,
-          [this](int edit, bool enabled) { setEditEnabled(m_document, edit, enabled); });
+          [this](int entry, bool enabled) { setEditEnabled(m_document, editOf(entry), enabled); });
   connect(m_edits, &EditStack::strengthEdited, this,
-          [this](int edit, double strength) { setEditStrength(m_document, edit, strength); });
+          [this](int entry, double strength) { setEditStrength(m_document, editOf(entry), strength); });
   connect(m_edits, &EditStack::renamed, this,
-          [this](int edit, const QString& name) { renameEdit(m_document, edit, name); });
-  connect(m_edits, &EditStack::moveRequested, this, [this](int from, int to) { moveEdit(m_document, from, to); });
-  connect(m_edits, &EditStack::duplicateRequested, this, [this](int edit) { duplicateEdit(m_document, edit); });
-  connect(m_edits, &EditStack::deleteRequested, this, [this](int edit) { deleteEdit(m_document, edit); });
+          [this](int entry, const QString& name) { renameEdit(m_document, editOf(entry), name); });
+  connect(m_edits, &EditStack::moveRequested, this,
+          [this](int from, int to) { moveEdit(m_document, editOf(from), editOf(to)); });
+  connect(m_edits, &EditStack::duplicateRequested, this,
+          [this](int entry) { duplicateEdit(m_document, editOf(entry)); });
+  connect(m_edits, &EditStack::deleteRequested, this, [this](int entry) { deleteEdit(m_document, editOf(entry)); });
   QMenu& menu = m_edits->addMenu();
   menu.setToolTipsVisible(true);
   menu.addAction(tr("Model"), &m_controller, &DocumentController::addModelEdit)
@@ -328,19 +330,29 @@ void Inspector::connectEdits() {
 
 namespace {
 
-/// The edit that the automatic fit adds changes nothing and has no name; it is listed once a slider has moved.
-bool isOnlyPrepared(const editing::EditList& edits) {
-  return edits.size() == 1 && edits[0].isIdentity() && edits[0].enabled && edits[0].strength == 1 &&
-         edits[0].name.empty() && std::holds_alternative<DifferentialEdit>(edits[0].content);
+/// The edit that the automatic fit adds changes nothing and has no name; it is listed once a slider has moved. -1:
+/// none.
+int preparedEdit(const editing::EditList& edits) {
+  int found = -1;
+  for (int i = 0; i < int(edits.size()); ++i) {
+    const editing::Edit& edit = edits[std::size_t(i)];
+    if (!std::holds_alternative<DifferentialEdit>(edit.content)) continue;
+    if (found >= 0 || !edit.isIdentity() || !edit.enabled || edit.strength != 1 || !edit.name.empty()) return -1;
+    found = i;
+  }
+  return found;
 }
 
 }  // namespace
 
 void Inspector::showEdits() {
   const editing::EditList& edits = m_document.edits();
-  const int listed = isOnlyPrepared(edits) ? 0 : int(edits.size());
+  m_unlisted = preparedEdit(edits);
   std::vector<widgets::EditEntry> entries;
-  for (int i = 0; i < listed; ++i) {
+  int selected = -1;
+  for (int i = 0; i < int(edits.size()); ++i) {
+    if (i == m_unlisted) continue;
+    if (i == m_document.state().selected) selected = int(entries.size());
     const editing::Edit& edit = edits[std::size_t(i)];
     const bool curves = std::holds_alternative<editing::FactorEdit>(edit.content);
     QString tip = curves ? tr("Edit of the factor curves (Factor curves panel)")
@@ -352,9 +364,11 @@ void Inspector::showEdits() {
   }
   for (QAction* action : m_edits->addMenu().actions()) action->setEnabled(m_document.material() != nullptr);
   m_edits->setEntries(
-      entries, listed > 0 ? m_document.state().selected : -1,
+      entries, selected,
       m_document.material() ? tr("No edits: the material is shown as measured.") : tr("Open a material to edit it."));
 }
+
+int Inspector::editOf(int entry) const { return m_unlisted >= 0 && entry >= m_unlisted ? entry + 1 : entry; }
 
 /// Always one line: a line that came and went would move the sliders below it.
 QString Inspector::energyText(int edit) const {

@@ -89,6 +89,8 @@ class Inspector : public QScrollArea {
   void showEdits();
   /// The effect of an edit on the energy.
   QString energyText(int edit) const;
+  /// The edit of an entry of the list.
+  int editOf(int entry) const;
 
   Document& m_document;
   DocumentController& m_controller;
@@ -105,6 +107,7 @@ class Inspector : public QScrollArea {
   widgets::ControlPanel* m_controls;
   widgets::ParameterPanel* m_parameters;
   widgets::EditStack* m_edits;
+  int m_unlisted = -1;                                     ///< the edit of the fit alone, which has no entry; -1: none
   QButtonGroup m_kinds;                                    ///< by EditingKind
   QMap<QString, widgets::CollapsibleSection*> m_sections;  ///< by their name in the settings
   const models::Model* m_shownModel = nullptr;             ///< model of the sliders

@@ -7,6 +7,7 @@
 #include "core/editing/edit_plausibility.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/rendering/render_picture.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/panels/plausibility_badges.h"
 
 namespace gonio::app {
@@ -77,7 +78,7 @@ void TableErrorMonitor::measure() {
   m_measuring = material && (material->isSampled() || !material->isTable());
   if (!m_measuring) return;
   m_tasks.run<double>(
-      {tr("Measuring table accuracy of %1").arg(m_document.name()), tableErrorKey, true},
+      {tr("Measuring table accuracy of %1").arg(widgets::spacedName(m_document.name())), tableErrorKey, true},
       [material, picture = m_picture](const TaskControl& control) {
         const rendering::RenderedComparison comparison(*material->material.brdf, picture, control.between(0, 0.5));
         return comparison.signalToNoiseRatio(comparison.render(*material->table(control), control.between(0.5, 1)));

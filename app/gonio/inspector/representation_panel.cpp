@@ -13,6 +13,7 @@
 #include "app/gonio/document/material_files.h"
 #include "core/formats/code.h"
 #include "core/formats/formats.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/panels/fact_list.h"
 
 namespace gonio::app {
@@ -129,7 +130,7 @@ void RepresentationPanel::request() {
     m_requested = coefficients();
     const LoadedMaterialPtr material = m_document.material();
     m_tasks.run<MaterialCode>(
-        {tr("Encoding %1").arg(QString::fromStdString(material->material.name)), encodeKey},
+        {tr("Encoding %1").arg(widgets::spacedName(QString::fromStdString(material->material.name))), encodeKey},
         [material, count = coefficients()](const TaskControl& control) {
           return encodeMaterial(material, count, control);
         },

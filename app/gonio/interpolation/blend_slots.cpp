@@ -14,6 +14,7 @@
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/thumbnail.h"
 #include "widgets/inputs/dialogs.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/interpolation/blend_pad.h"
 #include "widgets/interpolation/blend_position.h"
 #include "widgets/interpolation/material_slot_widget.h"
@@ -26,8 +27,6 @@ namespace {
 
 constexpr int pictureSide = 160, pictureSamples = 24;
 constexpr double loadFraction = 0.6, editFraction = 0.9;
-
-QString shortName(const QString& path) { return path.section('/', -1); }
 
 }  // namespace
 
@@ -129,7 +128,7 @@ void BlendMaterials::useCurrent(int slot) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = m_document.name();
-  fill(slot, tr("Preparing %1 for the blend").arg(name), name,
+  fill(slot, tr("Preparing %1 for the blend").arg(widgets::spacedName(name)), name,
        [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
          return makeBlendMaterial(*material, name, source, control);
        });

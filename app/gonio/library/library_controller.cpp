@@ -217,7 +217,7 @@ void LibraryController::setReference(const QString& id) {
     return m_model.setReference({});
   }
   m_tasks.run<widgets::LibraryThumbnail>(
-      {.title = tr("Rendering a thumbnail of %1").arg(id.section('/', -1)), .key = similarityKey, .quiet = true},
+      {.title = tr("Rendering a thumbnail of %1").arg(shortName(id)), .key = similarityKey, .quiet = true},
       [make = m_makeThumbnail, id](const TaskControl& control) { return make(id, control); },
       [this](const widgets::LibraryThumbnail& thumbnail) { m_model.setReference(thumbnail); },
       [this](const QString&) { m_model.setReference({}); });
@@ -226,7 +226,7 @@ void LibraryController::setReference(const QString& id) {
 void LibraryController::makeLargePicture(const QString& id, int pixels) {
   constexpr int samples = 32;
   m_tasks.run<QImage>(
-      {.title = tr("Rendering %1").arg(id.section('/', -1)), .key = largePictureKey, .live = true},
+      {.title = tr("Rendering %1").arg(shortName(id)), .key = largePictureKey, .live = true},
       [id, pixels](const TaskControl& control) {
         return spherePicture(*libraryMaterial(id, control).brdf, pixels, samples, control);
       },

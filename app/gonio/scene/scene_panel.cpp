@@ -18,6 +18,7 @@
 #include "core/rendering/sampling_method.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/inputs/dialogs.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/panels/effect_list.h"
 #include "widgets/preview/preview_widget.h"
@@ -76,7 +77,7 @@ SceneMaterialSlots::OtherMaterial SceneMaterialSlots::prepared(BlendMaterial end
 void SceneMaterialSlots::fill(int slot, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {
   m_slots[std::size_t(slot)].failure.clear();
   m_tasks.run<OtherMaterial>(
-      {tr("Opening %1 for the scene").arg(name), slotTaskKey(slot)},
+      {tr("Opening %1 for the scene").arg(widgets::spacedName(name)), slotTaskKey(slot)},
       [make = std::move(make)](const TaskControl& control) { return prepared(make(control)); },
       [this, slot](const OtherMaterial& other) {
         m_slots[std::size_t(slot)].other = other;
@@ -93,7 +94,7 @@ void SceneMaterialSlots::fill(int slot, const QString& name, std::function<Blend
 }
 
 void SceneMaterialSlots::read(int slot, const QString& id) {
-  fill(slot, id.section('/', -1), [id](const TaskControl& control) { return readBlendMaterial(id, control); });
+  fill(slot, shortName(id), [id](const TaskControl& control) { return readBlendMaterial(id, control); });
 }
 
 void SceneMaterialSlots::useCurrent(int slot) {

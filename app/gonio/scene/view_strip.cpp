@@ -104,6 +104,7 @@ void ViewStrip::build() {
     connect(box, &QComboBox::activated, this, [this] { m_preview.setFocus(Qt::OtherFocusReason); });
   }
   m_scenes->view()->installEventFilter(this);
+  m_scenes->setIconSize({0, 0});  // icons only in the list: the names need the room of the box
   // The lists show whole names where the boxes have no room for them.
   for (QComboBox* box : {m_scenes, m_backgrounds}) box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -113,8 +114,20 @@ void ViewStrip::build() {
   add(tr("E&xposure"), m_slider);
   layout->addWidget(m_exposure);
   layout->addStretch();
-  m_slider->setMinimumWidth(fontMetrics().height() * 3);
+  m_slider->setMinimumWidth(fontMetrics().height() * 4);
   m_slider->setMaximumWidth(fontMetrics().height() * 6);
+}
+
+int ViewStrip::sliderRoom() const { return m_slider->minimumWidth() + layout()->spacing(); }
+
+QSize ViewStrip::minimumSizeHint() const {
+  const QSize laidOut = layout()->totalMinimumSize();
+  return {laidOut.width() - (m_slider->isHidden() ? 0 : sliderRoom()), laidOut.height()};
+}
+
+void ViewStrip::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  m_slider->setVisible(width() >= minimumSizeHint().width() + sliderRoom());
 }
 
 void ViewStrip::connectParts() {
@@ -179,6 +192,7 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event) {
 void ViewStrip::drawScenes() {
   constexpr int side = 40, samples = 8;
   m_scenes->view()->setIconSize({side, side});
+  m_scenes->view()->setMinimumWidth(m_scenes->view()->minimumWidth() + side + 2 * fontMetrics().height());
   for (const std::string& name : rendering::bundledSceneNames()) {
     const QString id = QString::fromStdString(name);
     m_tasks.run<QImage>(

@@ -29,14 +29,20 @@ class ViewStrip : public QWidget {
 
   /// Renders the icons of the scenes when their list is shown.
   bool eventFilter(QObject* watched, QEvent* event) override;
+  /// Without the slider of the exposure, which a narrow strip leaves out; its field remains.
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   /// The user wants to choose a file.
   void sceneFileRequested();
   void environmentFileRequested();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void build();
+  int sliderRoom() const;
   void connectParts();
   void fillLights();
   /// Renders small pictures of the bundled environments in the background.

@@ -12,6 +12,7 @@
 
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/thumbnail.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/parameters/formula_text.h"
@@ -60,12 +61,48 @@ QString warningsOf(const fitting::FitResult& fit) {
 
 }  // namespace
 
-void StudyModel::setMaterials(std::vector<std::string> names) {
+void StudyModel::setMaterials(std::vector<std::string> names, const std::vector<int>& before) {
   beginResetModel();
+  const auto rows = std::exchange(m_rows, {});
+  const auto records = std::exchange(m_records, {});
   m_materials = std::move(names);
+  for (const Row& row : rows) m_rows.push_back({row.representation});
   dropResults();
+  for (std::size_t i = 0; i < m_materials.size(); ++i) {
+    if (before[i] < 0) continue;
+    const auto was = std::size_t(before[i]);
+    m_records[i] = records[was];
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      if (was < rows[row].studied.size()) keep(m_rows[row], i, rows[row].studied[was]);
+    // Of many materials only numbers were kept; a few have pictures, too.
+    if (m_materials.size() <= maxKeptMaterials)
+      std::erase_if(m_records[i], [&](const study::StudyRecord& record) {
+        const auto row = std::ranges::find(m_rows, record.representation, &Row::representation);
+        return row == m_rows.end() || i >= row->studied.size() || !row->studied[i];
+      });
+  }
+  for (Row& row : m_rows) showPicture(row);
+  summariseAgain();
   endResetModel();
   Q_EMIT plottedChanged();
+}
+
+StudyModel::Studied StudyModel::studied(int row, std::size_t material) const {
+  const std::vector<Studied>& kept = m_rows[std::size_t(row)].studied;
+  return material < kept.size() ? kept[material] : nullptr;
+}
+
+void StudyModel::keep(Row& row, std::size_t material, const Studied& studied) {
+  if (material >= maxKeptMaterials) return;
+  row.studied.resize(std::max(row.studied.size(), material + 1));
+  row.studied[material] = studied;
+}
+
+void StudyModel::showPicture(Row& row) const {
+  const Studied first = isSummary() || row.studied.empty() ? nullptr : row.studied[0];
+  if (!first || first->picture.width == 0) return;
+  row.picture = displayedImage(first->picture);
+  row.icon = iconOf(row.picture);
 }
 
 bool StudyModel::isShown(int column) const {
@@ -150,11 +187,8 @@ void StudyModel::add(std::size_t material, const Studied& studied) {
   std::erase(m_again[material], representation);
   std::erase_if(records, [&](const study::StudyRecord& one) { return one.representation == representation; });
   records.push_back(studied->record);
-  if (!isSummary()) row->studied = studied;
-  if (!isSummary() && studied->picture.width > 0) {
-    row->picture = displayedImage(studied->picture);
-    row->icon = iconOf(row->picture);
-  }
+  if (m_materials.size() <= maxKeptMaterials) keep(*row, material, studied);
+  showPicture(*row);
   summariseAgain();
   const int place = int(row - m_rows.begin());
   Q_EMIT dataChanged(index(place, 0), index(place, ColumnCount - 1));
@@ -168,7 +202,7 @@ const study::StudySummary* StudyModel::summaryOf(int row) const {
 }
 
 const fitting::FitResult* StudyModel::fitOf(int row) const {
-  const Studied& one = studied(row);
+  const Studied one = isSummary() ? nullptr : studied(row);
   return one && one->fit ? &*one->fit : nullptr;
 }
 
@@ -267,7 +301,7 @@ QString StudyModel::text(int row, int column) const {
     case WorstSnrColumn:
       return comparisonValue(summary->minSnr);
     case WorstMaterialColumn:
-      return QString::fromStdString(m_materials[summary->worst]);
+      return widgets::spacedName(QString::fromStdString(m_materials[summary->worst]));
     case ErrorColumn:
       return QString::number(study::qualityOf(one, m_metric), 'g', 3);
     case EvaluationColumn:

@@ -40,8 +40,11 @@ class StudyModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Sets the names of the materials and drops all results.
-  void setMaterials(std::vector<std::string> names);
+  /// Representations are kept, for pictures of them, of at most this number of materials; of more, their numbers.
+  static constexpr std::size_t maxKeptMaterials = 12;
+
+  /// Sets the names of the materials. @param before the former place of each, whose results stay; -1: it is new.
+  void setMaterials(std::vector<std::string> names, const std::vector<int>& before);
   const std::vector<std::string>& materials() const { return m_materials; }
   bool isSummary() const { return m_materials.size() > 1; }
   /// Whether a column belongs to the set of this number of materials.
@@ -60,8 +63,8 @@ class StudyModel : public QAbstractTableModel {
   void add(std::size_t material, const Studied& studied);
 
   const study::Representation& representation(int row) const { return m_rows[std::size_t(row)].representation; }
-  /// Of one material; null until the row is measured.
-  const Studied& studied(int row) const { return m_rows[std::size_t(row)].studied; }
+  /// The representation of a material; null until it is measured, or if it is not kept.
+  Studied studied(int row, std::size_t material = 0) const;
   bool isMeasured(int row) const { return summaryOf(row) != nullptr; }
   bool isEmpty() const { return m_summaries.empty(); }
   /// The record of a measured row; of several materials their medians.
@@ -96,14 +99,16 @@ class StudyModel : public QAbstractTableModel {
  private:
   struct Row {
     study::Representation representation;
-    Studied studied = {};
-    QImage picture = {};
+    std::vector<Studied> studied = {};  ///< per material, as far as they are kept
+    QImage picture = {};                ///< of one material
     QIcon icon = {};
     bool plotted = false;
   };
   /// Null until a material is measured.
   const study::StudySummary* summaryOf(int row) const;
   const fitting::FitResult* fitOf(int row) const;
+  static void keep(Row& row, std::size_t material, const Studied& studied);
+  void showPicture(Row& row) const;
   void dropResults();
   void summariseAgain();
   void refreshRows();

@@ -37,12 +37,14 @@ void StudyRun::setMaterials(const QStringList& ids) {
   if (ids == m_ids) return;
   m_tasks.drop(m_key);
   m_wasRunning = false;
+  std::vector<int> before;
+  for (const QString& id : ids) before.push_back(int(m_ids.indexOf(id)));
   m_ids = ids;
   std::vector<std::string> names;
   for (const QString& name : distinctNames(ids)) names.push_back(name.toStdString());
   m_failures.assign(names.size(), {});
-  m_machine.reset();
-  m_model.setMaterials(std::move(names));
+  m_model.setMaterials(std::move(names), before);
+  if (m_model.isEmpty()) m_machine.reset();
   Q_EMIT restarted();
 }
 
@@ -118,7 +120,8 @@ void StudyRun::start(std::size_t material) {
         },
         Qt::QueuedConnection);
   };
-  const QString name = loaded ? m_document.name() : QString::fromStdString(m_model.materials()[material]);
+  const QString name =
+      widgets::spacedName(loaded ? m_document.name() : QString::fromStdString(m_model.materials()[material]));
   const QString title = m_ids.size() < 2 ? tr("Measuring representations of %1").arg(name)
                                          : tr("Measuring %1 (%2 of %3)").arg(name).arg(material + 1).arg(m_ids.size());
   m_tasks.run<bool>(
@@ -153,7 +156,7 @@ void StudyRun::add(std::size_t material, const LoadedMaterialPtr& loaded, const 
 
 QString StudyRun::title() const {
   if (m_subject == Subject::library)
-    return m_ids.isEmpty() ? QString() : tr("%n material(s)", nullptr, int(m_ids.size()));
+    return m_ids.isEmpty() ? QString() : m_ids.size() == 1 ? tr("1 material") : tr("%1 materials").arg(m_ids.size());
   return m_model.isEmpty() ? QString() : m_name;
 }
 
@@ -172,12 +175,16 @@ QString StudyRun::status() const {
     for (int row = 0; row < m_model.rowCount(); ++row) measured += m_model.isMeasured(row);
     if (m_model.isOutdated())
       lines << tr("These are results of %1. Press Measure to replace them with those of %2.")
-                   .arg(m_name, m_document.name());
+                   .arg(widgets::spacedName(m_name), widgets::spacedName(m_document.name()));
     else if (measured > 0)
-      lines << tr("%1: %2 of %3 representations are measured.").arg(m_name).arg(measured).arg(m_model.rowCount());
-  } else if (!m_ids.isEmpty()) {
+      lines << tr("%1: %2 of %3 representations are measured.")
+                   .arg(widgets::spacedName(m_name))
+                   .arg(measured)
+                   .arg(m_model.rowCount());
+  } else if (!m_ids.isEmpty() && m_model.rowCount() > 0) {
     QString first = tr("%1 of %2 materials are measured.").arg(done).arg(m_ids.size());
-    if (isRunning() && next) first += ' ' + tr("Measuring %1.").arg(QString::fromStdString(m_model.materials()[*next]));
+    if (isRunning() && next)
+      first += ' ' + tr("Measuring %1.").arg(widgets::spacedName(QString::fromStdString(m_model.materials()[*next])));
     lines.prepend(first);
   }
   return lines.join('\n');
@@ -207,3 +214,4 @@ void StudyRun::writeSvg(const QString& path, const study::StudyAxes& axes, const
 }  // namespace gonio::app
 
 #include "moc_study_run.cpp"
+#include "widgets/inputs/menu_text.h"

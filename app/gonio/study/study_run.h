@@ -25,10 +25,11 @@ class StudyRun : public QObject {
   StudyModel& model() { return m_model; }
   const StudyModel& model() const { return m_model; }
   Subject subject() const { return m_subject; }
-  /// Sets the materials of the library; drops the results if they change.
+  /// Sets the materials of the library; the results of those that remain stay.
   void setMaterials(const QStringList& ids);
   /// Sets what to measure. The results of representations that remain stay.
   void setChoice(const study::RepresentationChoice& choice);
+  const QStringList& ids() const { return m_ids; }
   const study::RepresentationChoice& choice() const { return m_choice; }
   /// Sets how to measure; the times are chosen by measure().
   void setOptions(const study::StudyOptions& options) { m_options = options; }

@@ -17,22 +17,18 @@
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/thumbnail.h"
 #include "core/io/atomic_file.h"
-#include "core/rendering/error_maps.h"
 #include "core/study/accuracy_study.h"
 #include "core/study/study_plot.h"
 #include "widgets/inputs/dialogs.h"
+#include "widgets/inputs/menu_text.h"
 
 namespace gonio::app {
 
 namespace {
 
 const QString pictureFolder = QStringLiteral("plot");
-constexpr int side = 256, samples = 64, firstCount = 8, maxCount = 1000, minTile = 96, maxTile = 384, firstTile = 160;
+constexpr int firstCount = 8, maxCount = 1000, minTile = 96, maxTile = 384, firstTile = 160;
 constexpr int savedTile = 320, savedPdfTile = 120, maxSavedColumns = 6;
-
-QImage imageOf(const std::vector<std::uint8_t>& rgba) {
-  return QImage(rgba.data(), side, side, 4 * side, QImage::Format_RGBA8888).copy();
-}
 
 QString nameOf(const study::MeasuredRepresentation& one) {
   return QString::fromStdString(one.record.representation.shortLabel());
@@ -48,6 +44,15 @@ QString numbersOf(const study::StudyRecord& record) {
       .arg(snr, size, QString::fromStdString(study::shortQuantity(1e-3 * record.frameMilliseconds, "s")));
 }
 
+/// @param entry null: not measured.
+widgets::SheetTile tileOf(const SheetPictures& pictures, const SheetEntry& entry) {
+  if (!entry) return {.name = {}, .numbers = {}, .picture = {}, .map = {}, .note = StudySheet::tr("Not measured")};
+  QPixmap picture = pictures.picture(entry);
+  // Until then, the small image of the study.
+  if (picture.isNull() && entry->picture.width > 0) picture = QPixmap::fromImage(displayedImage(entry->picture));
+  return {.name = nameOf(*entry), .numbers = numbersOf(entry->record), .picture = picture, .map = pictures.map(entry)};
+}
+
 }  // namespace
 
 widgets::PreviewSubject studiedSubject(const study::MeasuredRepresentation& studied, const TaskControl& control) {
@@ -56,18 +61,19 @@ widgets::PreviewSubject studiedSubject(const study::MeasuredRepresentation& stud
 }
 
 StudySheet::StudySheet(BackgroundTasks& tasks, QWidget* parent)
-    : QWidget(parent), m_tasks(tasks), m_sheet(new widgets::ContactSheet), m_hint(new QLabel(m_sheet)) {
-  const QString key = QStringLiteral("study sheet %1 ").arg(quintptr(this));
-  m_renderKey = key + "pictures";
-  m_mapsKey = key + "maps";
-  m_pairKey = key + "pair";
+    : QWidget(parent),
+      m_tasks(tasks),
+      m_pictures(tasks, nullptr),
+      m_pairKey(QStringLiteral("study sheet %1 pair").arg(quintptr(this))),
+      m_sheet(new widgets::ContactSheet),
+      m_hint(new QLabel(m_sheet)) {
   build();
+  connect(&m_pictures, &SheetPictures::changed, this, &StudySheet::showTiles);
+  connect(&m_pictures, &SheetPictures::failed, this, &StudySheet::failed);
   showTiles();
 }
 
-StudySheet::~StudySheet() {
-  for (const QString& key : {m_renderKey, m_mapsKey, m_pairKey}) m_tasks.drop(key);
-}
+StudySheet::~StudySheet() { m_tasks.drop(m_pairKey); }
 
 void StudySheet::build() {
   const int em = fontMetrics().height();
@@ -112,143 +118,70 @@ void StudySheet::build() {
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(top);
   layout->addWidget(scroll, 1);
-  connect(m_count, &QSpinBox::valueChanged, this, &StudySheet::work);
+  connect(m_count, &QSpinBox::valueChanged, this,
+          [this] { m_pictures.setSources(m_pictures.sources(), m_count->value()); });
   connect(m_maps, &QCheckBox::toggled, m_sheet, &widgets::ContactSheet::setMapsShown);
   connect(size, &QSlider::valueChanged, m_sheet, &widgets::ContactSheet::setTileSide);
   connect(m_compare, &QPushButton::clicked, this, &StudySheet::compareSelected);
   connect(m_save, &QPushButton::clicked, this, &StudySheet::save);
   connect(m_savePdf, &QPushButton::clicked, this, &StudySheet::savePdf);
-  connect(m_sheet, &widgets::ContactSheet::selectionChanged, this,
-          [this] { m_compare->setEnabled(m_sheet->selected().size() == 2); });
+  connect(m_sheet, &widgets::ContactSheet::selectionChanged, this, &StudySheet::showSelection);
 }
 
-void StudySheet::setSource(SheetSource source) {
-  if (source.material != m_source.material) {
-    for (const QString& key : {m_renderKey, m_mapsKey}) m_tasks.drop(key);
-    m_comparison.reset();
-    m_reference = {};
-    m_mapped.clear();
-  }
-  m_source = std::move(source);
-  std::erase_if(m_pictures, [this](const auto& one) { return !std::ranges::count(m_source.entries, one.first); });
-  work();
-}
-
-void StudySheet::setRendering(bool rendering) {
-  m_rendering = rendering;
-  if (!rendering) m_tasks.drop(m_renderKey);
-  work();
+void StudySheet::setSources(std::vector<SheetSource> sources) {
+  m_pictures.setSources(std::move(sources), m_count->value());
 }
 
 void StudySheet::setHint(const QString& text) { m_hint->setText(text); }
 
 void StudySheet::setCount(int count) { m_count->setValue(count); }
 
-std::vector<StudySheet::Entry> StudySheet::shownEntries() const {
-  const std::size_t count = std::min(m_source.entries.size(), std::size_t(m_count->value()));
-  return {m_source.entries.begin(), m_source.entries.begin() + std::ptrdiff_t(count)};
-}
-
-bool StudySheet::isComplete() const {
-  const auto shown = shownEntries();
-  return m_comparison && !shown.empty() && m_mapped.size() == shown.size() &&
-         std::ranges::is_permutation(m_mapped, shown);
-}
-
-/// Renders what is missing: the reference, then one entry after the other, then the maps.
-void StudySheet::work() {
-  showTiles();
-  if (!m_rendering || !m_source.material || m_source.entries.empty() || m_tasks.isRunning(m_renderKey)) return;
-  const auto fail = [this](const QString& error) { Q_EMIT failed(tr("Cannot render the contact sheet"), error); };
-  if (!m_comparison) {
-    m_tasks.run<std::shared_ptr<const rendering::RenderedComparison>>(
-        {tr("Rendering the contact sheet"), m_renderKey},
-        [material = m_source.material](const TaskControl& control) {
-          const rendering::RenderOptions options{.width = side, .height = side, .samples = samples, .density = {}};
-          return std::make_shared<const rendering::RenderedComparison>(*material->material.brdf, options, control);
-        },
-        [this](const std::shared_ptr<const rendering::RenderedComparison>& comparison) {
-          m_comparison = comparison;
-          m_reference = QPixmap::fromImage(displayedImage(comparison->reference()));
-          work();
-        },
-        fail);
-    return;
-  }
-  const auto shown = shownEntries();
-  const auto next = std::ranges::find_if(shown, [this](const Entry& one) { return !m_pictures.contains(one); });
-  if (next == shown.end()) return makeMaps();
-  m_tasks.run<Image>(
-      {tr("Rendering %1").arg(nameOf(**next)), m_renderKey},
-      [comparison = m_comparison, brdf = (*next)->brdf](const TaskControl& control) {
-        return comparison->render(*brdf, control).image;
-      },
-      [this, entry = *next](const Image& picture) {
-        if (std::ranges::count(m_source.entries, entry))
-          m_pictures[entry] = {picture, QPixmap::fromImage(displayedImage(picture)), {}};
-        work();
-      },
-      fail);
-}
-
-void StudySheet::makeMaps() {
-  if (isComplete()) return;
-  struct Made {
-    std::vector<QImage> maps;
-    double range;
-  };
-  const std::vector<Entry> shown = shownEntries();
-  std::vector<Image> pictures;
-  for (const Entry& one : shown) pictures.push_back(m_pictures.at(one).image);
-  m_tasks.run<Made>(
-      {.title = tr("Comparing the images"), .key = m_mapsKey, .live = true},
-      [comparison = m_comparison, pictures](const TaskControl&) {
-        const rendering::ErrorMaps maps = rendering::errorMaps(comparison->reference(), pictures);
-        Made made{.range = maps.range};
-        for (const auto& map : maps.maps) made.maps.push_back(imageOf(map));
-        return made;
-      },
-      [this, shown](const Made& made) {
-        for (std::size_t i = 0; i < shown.size(); ++i)
-          if (const auto found = m_pictures.find(shown[i]); found != m_pictures.end())
-            found->second.map = QPixmap::fromImage(made.maps[i]);
-        m_range = made.range;
-        m_mapped = shown;
-        work();
-      });
-}
-
 void StudySheet::showTiles() {
   std::vector<widgets::SheetTile> tiles;
-  const auto shown = shownEntries();
-  if (m_source.material && !shown.empty())
-    tiles.push_back({m_source.name, sourceKind(*m_source.material), m_reference, {}});
-  for (const Entry& one : shown) {
-    const auto found = m_pictures.find(one);
-    Picture picture = found == m_pictures.end() ? Picture() : found->second;
-    // Until then, the small image of the study.
-    if (picture.pixmap.isNull() && one->picture.width > 0)
-      picture.pixmap = QPixmap::fromImage(displayedImage(one->picture));
-    tiles.push_back({nameOf(*one), numbersOf(one->record), picture.pixmap, picture.map});
+  m_places.clear();
+  const std::vector<SheetSource>& sources = m_pictures.sources();
+  const bool isGrid = sources.size() > 1;
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const std::vector<SheetEntry> shown = m_pictures.shown(i);
+    columns = std::max(columns, shown.size() + 1);
+    if (shown.empty()) continue;
+    tiles.push_back({.name = widgets::spacedName(sources[i].name),
+                     .numbers = m_pictures.kind(i),
+                     .picture = m_pictures.reference(i),
+                     .map = {}});
+    m_places.push_back({i, -1});
+    for (int entry = 0; entry < int(shown.size()); ++entry) {
+      tiles.push_back(tileOf(m_pictures, shown[std::size_t(entry)]));
+      m_places.push_back({i, entry});
+    }
   }
   m_hint->setVisible(tiles.empty());
+  m_sheet->setColumns(isGrid ? int(columns) : 0);
   m_sheet->setTiles(std::move(tiles));
-  m_sheet->setRange(m_range);
-  m_save->setEnabled(isComplete());
-  m_savePdf->setEnabled(isComplete());
-  m_compare->setEnabled(m_sheet->selected().size() == 2);
+  m_sheet->setRange(m_pictures.range());
+  m_save->setEnabled(m_pictures.isComplete());
+  m_savePdf->setEnabled(m_pictures.isComplete());
+  showSelection();
 }
 
-/// Tile 0 is the material.
-widgets::PreviewSubject StudySheet::subjectOf(const SheetSource& source, int tile, const TaskControl& control) {
-  const LoadedMaterial& material = *source.material;
-  if (tile == 0) return widgets::measuredSubject(material.base, material.density);
-  const study::MeasuredRepresentation& one = *source.entries[std::size_t(tile - 1)];
-  if (!one.fit) return studiedSubject(one, control);
-  const TabulatedBrdf* table = formOf<TabulatedBrdf>(*material.base);
-  const widgets::StandaloneModel model{one.fit->model, one.fit->parameters,
-                                       table ? table->grid() : HalfDifferenceGrid()};
-  return {model, material.density};
+void StudySheet::showSelection() {
+  const std::vector<int> selected = m_sheet->selected();
+  m_compare->setEnabled(selected.size() == 2 && std::ranges::all_of(selected, [this](int tile) {
+                          const Place place = m_places[std::size_t(tile)];
+                          return place.entry < 0 || m_pictures.shown(place.source)[std::size_t(place.entry)];
+                        }));
+}
+
+widgets::PreviewSubject StudySheet::subjectOf(const SheetSource& source, int entry, const TaskControl& control) {
+  if (entry >= 0 && !source.entries[std::size_t(entry)]->fit)
+    return studiedSubject(*source.entries[std::size_t(entry)], control);
+  const LoadedMaterialPtr material = materialOf(source, control);
+  if (entry < 0) return widgets::measuredSubject(material->base, material->density);
+  const fitting::FitResult& fit = *source.entries[std::size_t(entry)]->fit;
+  const TabulatedBrdf* table = formOf<TabulatedBrdf>(*material->base);
+  const widgets::StandaloneModel model{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()};
+  return {model, material->density};
 }
 
 void StudySheet::compareSelected() {
@@ -256,19 +189,25 @@ void StudySheet::compareSelected() {
   const auto tileName = [this](int tile) { return m_sheet->tiles()[std::size_t(tile)].name; };
   const std::array<QString, 2> names{tileName(tiles[0]), tileName(tiles[1])};
   using Pair = std::array<widgets::PreviewSubject, 2>;
+  const Place first = m_places[std::size_t(tiles[0])], second = m_places[std::size_t(tiles[1])];
   m_tasks.run<Pair>(
       {tr("Preparing %1 and %2").arg(names[0], names[1]), m_pairKey},
-      [source = m_source, tiles](const TaskControl& control) {
-        return Pair{subjectOf(source, tiles[0], control.between(0, 0.5)),
-                    subjectOf(source, tiles[1], control.between(0.5, 1))};
+      [sources = m_pictures.sources(), first, second](const TaskControl& control) {
+        return Pair{subjectOf(sources[first.source], first.entry, control.between(0, 0.5)),
+                    subjectOf(sources[second.source], second.entry, control.between(0.5, 1))};
       },
       [this, names](const Pair& subjects) { Q_EMIT compareRequested(subjects, names); },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot compare the representations"), error); });
 }
 
+QString StudySheet::proposedName(const QString& suffix) const {
+  const std::vector<SheetSource>& sources = m_pictures.sources();
+  const QString name = sources.size() == 1 ? sources[0].name + tr(" contact sheet") : tr("contact sheet");
+  return widgets::inDialogFolder(pictureFolder, name + suffix);
+}
+
 void StudySheet::save() {
-  const QString name = m_source.name + tr(" contact sheet.png");
-  const QString proposed = widgets::inDialogFolder(pictureFolder, name);
+  const QString proposed = proposedName(QStringLiteral(".png"));
   widgets::askForPath(this, tr("Save Contact Sheet"), proposed, tr("PNG (*.png)"), [this](const QString& path) {
     widgets::rememberDialogFolder(pictureFolder, path);
     Q_EMIT saveRequested(path, m_sheet->picture(savedTile, savedColumns()));
@@ -276,7 +215,7 @@ void StudySheet::save() {
 }
 
 void StudySheet::savePdf() {
-  const QString proposed = widgets::inDialogFolder(pictureFolder, m_source.name + tr(" contact sheet.pdf"));
+  const QString proposed = proposedName(QStringLiteral(".pdf"));
   widgets::askForPath(this, tr("Save Contact Sheet"), proposed, tr("PDF (*.pdf)"), [this](const QString& path) {
     widgets::rememberDialogFolder(pictureFolder, path);
     const QByteArray bytes = m_sheet->pdf(savedPdfTile, savedColumns());
@@ -286,7 +225,11 @@ void StudySheet::savePdf() {
   });
 }
 
-int StudySheet::savedColumns() const { return std::min(maxSavedColumns, int(shownEntries().size()) + 1); }
+/// Several materials have a row each.
+int StudySheet::savedColumns() const {
+  const int tiles = int(m_sheet->tiles().size());
+  return m_sheet->columns() > 0 ? m_sheet->columns() : std::min(maxSavedColumns, tiles);
+}
 
 }  // namespace gonio::app
 

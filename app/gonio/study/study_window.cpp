@@ -314,7 +314,8 @@ void StudyWindow::fitAll() {
 void StudyWindow::setMaterials(const QStringList& ids) {
   m_libraryRun->setMaterials(ids);
   if (m_subjects->count() < 2) m_subjects->addItem({});
-  m_subjects->setItemText(1, tr("%n material(s) of the library", nullptr, int(ids.size())));
+  m_subjects->setItemText(
+      1, ids.size() == 1 ? tr("1 material of the library") : tr("%1 materials of the library").arg(ids.size()));
   showRun(*m_libraryRun);
 }
 
@@ -417,18 +418,26 @@ void StudyWindow::refreshResults() {
 
 void StudyWindow::refreshSheet() {
   const StudyModel& model = m_run->model();
-  SheetSource source;
-  if (m_run == m_openRun && !m_points.empty()) {
-    source.name = m_run->title();
-    source.material = m_run->material();
-    for (const int row : m_points) source.entries.push_back(model.studied(row));
+  const bool isOpen = m_run == m_openRun;
+  const std::size_t count = m_points.empty() ? 0 : isOpen ? 1 : std::size_t(m_run->ids().size());
+  std::vector<SheetSource> sources;
+  for (std::size_t i = 0; i < count && count <= StudyModel::maxKeptMaterials; ++i) {
+    SheetSource source;
+    source.name = isOpen ? m_run->title() : QString::fromStdString(model.materials()[i]);
+    if (isOpen) source.material = m_run->material();
+    if (!isOpen) source.id = m_run->ids()[qsizetype(i)];
+    for (const int row : m_points) source.entries.push_back(model.studied(row, i));
+    const bool isMeasured = std::ranges::any_of(source.entries, [](const SheetEntry& one) { return one != nullptr; });
+    if (isMeasured) sources.push_back(std::move(source));
   }
-  m_sheet->setSource(std::move(source));
+  m_sheet->setSources(std::move(sources));
   // Rendering would disturb the times, and a sheet of the first results would not show the best.
-  m_sheet->setRendering(isVisible() && m_pages->currentIndex() == SheetPage && !m_run->isRunning());
-  m_sheet->setHint(m_run == m_openRun ? hint()
-                                      : tr("The sheet shows the representations of one material.\nSelect the open "
-                                           "material above, or read the medians in Results and Chart."));
+  m_sheet->pictures().setRendering(isVisible() && m_pages->currentIndex() == SheetPage && !m_run->isRunning());
+  m_sheet->setHint(count <= StudyModel::maxKeptMaterials
+                       ? hint()
+                       : tr("A sheet shows at most %1 materials. Select fewer in the library,\nor read the medians in "
+                            "Results and Chart.")
+                             .arg(StudyModel::maxKeptMaterials));
 }
 
 QString StudyWindow::hint() const {

@@ -21,7 +21,7 @@ constexpr int layoutVersion = 2;
 constexpr int bottomDockLines = 22, acquisitionDockLines = 30;
 /// Maximum initial width of a side dock, percent of the window: on a small screen there is room for two columns of the
 /// library, and for sliders that are long enough to aim with.
-constexpr int maxPercentLeft = 20, maxPercentRight = 31;
+constexpr int maxPercentLeft = 20, maxPercentRight = 34;
 const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStringLiteral("window/layout"),
               workspaceKey = QStringLiteral("window/workspace");
 }  // namespace
@@ -32,6 +32,17 @@ DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
   // No grouped dragging: Qt 6.4 keeps groups of floating docks that it deletes too early.
   m_window.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
   m_window.installEventFilter(this);
+  m_tabIcons.setSingleShot(true);
+  m_tabIcons.setInterval(0);
+  connect(&m_tabIcons, &QTimer::timeout, this, &DockLayout::showTabIcons);
+}
+
+void DockLayout::showTabIcons() {
+  for (QTabBar* tabs : m_window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    for (int i = 0; i < tabs->count(); ++i) {
+      const auto dock = std::ranges::find(m_docks, tabs->tabText(i), &QWidget::windowTitle);
+      if (dock != m_docks.end() && tabs->tabIcon(i).isNull()) tabs->setTabIcon(i, (*dock)->toggleViewAction()->icon());
+    }
 }
 
 bool DockLayout::eventFilter(QObject* watched, QEvent* event) {
@@ -58,6 +69,10 @@ QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget*
   connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
     if (shown) dock->raise();
   });
+  // Qt makes tabs as docks come to lie behind one another.
+  for (const auto signal : {&QDockWidget::visibilityChanged, &QDockWidget::topLevelChanged})
+    connect(dock, signal, &m_tabIcons, qOverload<>(&QTimer::start));
+  connect(dock, &QDockWidget::dockLocationChanged, &m_tabIcons, qOverload<>(&QTimer::start));
   m_docks << dock;
   m_places.push_back({area, lines});
   return dock;

@@ -4,6 +4,7 @@
 
 #include <QList>
 #include <QObject>
+#include <QTimer>
 #include <functional>
 #include <vector>
 
@@ -48,8 +49,11 @@ class DockLayout : public QObject {
 
  private:
   void resizeSides();
+  /// Tabs of docks get the icons of their menu entries.
+  void showTabIcons();
 
   QMainWindow& m_window;
+  QTimer m_tabIcons;  ///< until tabs that come to be are there
   QTabBar* m_tabs = nullptr;
   Workspace m_workspace = Workspace::edit;  ///< chosen last
   QList<QDockWidget*> m_docks;

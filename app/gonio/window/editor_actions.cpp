@@ -188,7 +188,8 @@ Action EditorActions::edit(Document& document, DocumentController& controller, c
                  QApplication::clipboard()->setMimeData(toClipboard(document.toEditDocument()));
                  QStringList names;
                  for (int i = 0; i < int(document.edits().size()); ++i) names << editName(document.edits(), i);
-                 notify(tr("Copied the edits of %1: %2").arg(document.name(), names.join(QStringLiteral(", "))));
+                 notify(tr("Copied the edits of %1: %2")
+                            .arg(widgets::spacedName(document.name()), names.join(QStringLiteral(", "))));
                },
            .enabled = [&document] { return !document.edits().empty(); }},
           {.text = tr("&Paste Edits"),

@@ -7,6 +7,7 @@
 
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/document/edit_steps.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/panels/elided_label.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/preview/preview_overlay.h"
@@ -102,7 +103,7 @@ QString StatusLine::representationText() const {
     const auto sides = m_comparison.sides();
     return tr("%1 | %2").arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]));
   }
-  if (standIn == StandIn::blend) return tr("Blend: %1").arg(m_comparison.standInName());
+  if (standIn == StandIn::blend) return tr("Blend: %1").arg(widgets::spacedName(m_comparison.standInName()));
   if (standIn) return tr("Showing %1 instead of the material; edits hidden").arg(m_comparison.standInName());
   const MaterialCode* code = m_comparison.code();
   QStringList parts{code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients()) : tr("Original")};

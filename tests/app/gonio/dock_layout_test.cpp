@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/dock_layout.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
@@ -56,6 +57,24 @@ class DockLayoutTest : public QObject {
     QCOMPARE(w.shown(), QStringList({"acquisition"}));
     w.docks.showWorkspace(Workspace::edit);
     QCOMPARE(w.shown(), QStringList({"library", "inspector"}));
+  }
+
+  /// The tabs of docks that lie behind one another have the icons of their menu entries.
+  void tabsHaveIcons() {
+    Window w;
+    QPixmap square(16, 16);
+    square.fill(Qt::red);
+    for (const char* name : {"plots", "scene"}) w.docks.dock(name)->toggleViewAction()->setIcon(square);
+    w.docks.show("plots");
+    w.docks.show("scene");
+    const auto iconsOf = [&] {
+      QStringList titles;
+      for (const QTabBar* tabs : w.window.findChildren<QTabBar*>())
+        for (int i = 0; i < tabs->count(); ++i)
+          if (!tabs->tabIcon(i).isNull()) titles << tabs->tabText(i);
+      return titles;
+    };
+    QTRY_COMPARE(iconsOf(), QStringList({"plots", "scene"}));
   }
 
   /// Docks that are dragged about, floated, tabbed and closed at random, with layouts and sizes chosen in between: the

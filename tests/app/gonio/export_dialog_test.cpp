@@ -118,6 +118,21 @@ class ExportDialogTest : public QObject {
     QCOMPARE(dialog.trial()->exported.width(), width());
   }
 
+  /// Before there are files, the export is expected to look like the material where a renderer reads its values, and
+  /// like its edited fit in an engine; of data, or with edits of another kind, nothing is expected.
+  void showsWhatIsExpected() {
+    Editor editor;
+    adoptDefaultFit(editor.document);
+    ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
+    const auto expected = [&](std::string_view id) {
+      return editor.controller.expected(editor.document.edited(), *exports::findExportTarget(id));
+    };
+    QVERIFY(wait([&] { return !expected("mitsuba").isNull(); }));
+    QCOMPARE(expected("mitsuba"), editor.controller.picture(editor.document.edited()));
+    QVERIFY(!expected("gltf").isNull() && expected("gltf") != expected("mitsuba"));
+    QVERIFY(expected("merl").isNull());
+  }
+
   /// What was made of a material is there when its dialog opens again or another target is chosen and left, and not
   /// once an edit has changed the material.
   void keepsWhatIsKnown() {

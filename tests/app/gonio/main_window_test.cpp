@@ -193,6 +193,33 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// Nor is the edit of the fit listed beside edits of another kind; what is asked of an entry changes its edit.
+  void theEditOfTheFitIsNotListed() {
+    auto* window = new MainWindow;
+    Document& document = window->parts().document;
+    document.setMaterial(greyMaterial());
+    adoptDefaultFit(document);
+    factorization::PdvFactors factors{.form = factorization::PdvForm::twoFactors};
+    factors.thetaNodes = factors.deviationNodes = {0, 1};
+    factors.phiNodes = {0};
+    factors.highest = 10;
+    for (auto& channel : factors.channels) channel = {{{1, 1}, {1, 0}, {1}}};
+    const auto shared = std::make_shared<const factorization::PdvFactors>(factors);
+    editing::EditList edits = document.edits();
+    edits.push_back({editing::FactorEdit{.original = shared, .edited = shared}});
+    document.replaceEdits(edits, "Curves", 1);
+    widgets::EditStack& list = *window->parts().inspector.edits();
+    QCOMPARE(list.entries().size(), std::size_t(1));
+    QCOMPARE(list.selected(), 0);
+    Q_EMIT list.strengthEdited(0, 0.5);
+    QCOMPARE(document.edits()[1].strength, 0.5);
+    QCOMPARE(document.edits()[0].strength, 1.0);
+    Q_EMIT list.deleteRequested(0);
+    QCOMPARE(document.edits().size(), std::size_t(1));
+    QVERIFY(modelEdit(document) && list.entries().empty());
+    delete window;
+  }
+
   /// Backspace resets the row with the focus, the diffuse colour among the controls too.
   void backspaceResetsTheDiffuseColour() {
     auto* window = new MainWindow;

@@ -20,11 +20,13 @@
 
 #include "app/gonio/comparison/reference_dialog.h"
 #include "app/gonio/document/edit_steps.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/export/batch_dialog.h"
 #include "app/gonio/export/export_dialog.h"
 #include "app/gonio/export/image_dialog.h"
 #include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/inspector/inspector.h"
+#include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/study/study_window.h"
 #include "app/gonio/window/dock_layout.h"
@@ -167,6 +169,22 @@ class ShownNamesTest : public QObject {
     VERIFY_PLAIN(*m_window);
     VERIFY_FITS(*m_window);
     m_window->findChild<widgets::MessageBar*>()->hide();
+  }
+
+  /// Tasks name materials without underscores, and files as they are called.
+  void tasksNameMaterials() {
+    QCOMPARE(shortName("library:rgl/acrylic_felt_pink"), QString("acrylic felt pink"));
+    QCOMPARE(shortName("/data/acrylic_felt.binary"), QString("acrylic_felt.binary"));
+    const auto isRunning = [this](const QString& title) {
+      for (const BackgroundTasks::Info& task : m_parts->tasks.shown())
+        if (task.title == title) return true;
+      return false;
+    };
+    m_parts->interpolation.materials().read(0, "library:rgl/no_such_felt");
+    QVERIFY(isRunning("Opening no such felt for the blend"));
+    m_parts->scene.otherSlots().read(0, "library:rgl/no_such_felt");
+    QVERIFY(isRunning("Opening no such felt for the scene"));
+    m_parts->tasks.stopAll();
   }
 
   void libraryAndMenus_data() { names_data(); }

@@ -20,6 +20,11 @@ using namespace gonio::app::test_support;
 
 bool wait(const std::function<bool()>& done) { return QTest::qWaitFor(done, patienceMilliseconds); }
 
+/// With fewer samples than for people.
+struct Sheet : StudySheet {
+  explicit Sheet(BackgroundTasks& tasks) : StudySheet(tasks) { pictures().setSamples(48); }
+};
+
 class StudySheetTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -41,10 +46,10 @@ class StudySheetTest : public QObject {
   /// asked for.
   void showsTheEntriesInOrder() {
     BackgroundTasks tasks;
-    StudySheet window(tasks);
-    window.setSource(source_);
-    window.setRendering(true);
-    QVERIFY(wait([&] { return window.isComplete(); }));
+    Sheet window(tasks);
+    window.setSources({source_});
+    window.pictures().setRendering(true);
+    QVERIFY(wait([&] { return window.pictures().isComplete(); }));
     const auto& tiles = window.sheet().tiles();
     QCOMPARE(tiles.size(), std::size_t(4));
     QVERIFY(tiles[0].map.isNull() && !tiles[0].picture.isNull());
@@ -54,7 +59,7 @@ class StudySheetTest : public QObject {
       QVERIFY(tiles[i].numbers.contains(" dB"));
     }
     window.setCount(2);
-    QVERIFY(wait([&] { return window.isComplete() && window.sheet().tiles().size() == 3; }));
+    QVERIFY(wait([&] { return window.pictures().isComplete() && window.sheet().tiles().size() == 3; }));
     const QImage narrow = window.sheet().picture(64, 1), wide = window.sheet().picture(64, 3);
     QVERIFY(narrow.height() > 2 * wide.height() && wide.width() > 2 * narrow.width());
   }
@@ -102,25 +107,63 @@ class StudySheetTest : public QObject {
   /// Only what is shown is rendered, the rest when it is asked for.
   void rendersWhatIsShown() {
     BackgroundTasks tasks;
-    StudySheet window(tasks);
-    window.setSource(source_);
-    window.setRendering(true);
+    Sheet window(tasks);
+    window.setSources({source_});
+    window.pictures().setRendering(true);
     window.setCount(1);
-    QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
+    QVERIFY(wait([&] { return window.pictures().isComplete() && tasks.isIdle(); }));
     window.setCount(3);
-    QVERIFY(!window.isComplete() && !tasks.isIdle());
+    QVERIFY(!window.pictures().isComplete() && !tasks.isIdle());
     QVERIFY(window.sheet().tiles()[3].map.isNull());
     QCOMPARE(window.sheet().tiles()[3].picture.width(), study::StudyOptions().picture.width);  // the study's own
-    QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
+    QVERIFY(wait([&] { return window.pictures().isComplete() && tasks.isIdle(); }));
     for (const widgets::SheetTile& tile : window.sheet().tiles()) QVERIFY(!tile.picture.isNull());
+  }
+
+  /// Several materials have a row each, with maps on one scale and a note where nothing was measured. A material of the
+  /// library is read when its picture is needed.
+  void severalMaterialsHaveRows() {
+    BackgroundTasks tasks;
+    Sheet window(tasks);
+    SheetSource other{.name = "gold_paint", .id = "library:sgd/gold-metallic-paint", .entries = source_.entries};
+    other.entries[1] = nullptr;
+    other.entries[0] = std::make_shared<const study::MeasuredRepresentation>(*other.entries[0]);
+    other.entries[2] = std::make_shared<const study::MeasuredRepresentation>(*other.entries[2]);
+    window.setSources({source_, other});
+    window.pictures().setRendering(true);
+    QVERIFY(wait([&] { return window.pictures().isComplete() && tasks.isIdle(); }));
+    const auto& tiles = window.sheet().tiles();
+    QCOMPARE(tiles.size(), std::size_t(8));
+    QCOMPARE(window.sheet().columns(), 4);
+    QCOMPARE(tiles[4].name, QString("gold paint"));
+    QCOMPARE(tiles[4].numbers, QString("Model fit"));
+    QVERIFY(tiles[4].picture.toImage() != tiles[0].picture.toImage());
+    QVERIFY(tiles[6].picture.isNull() && tiles[6].note == "Not measured");
+    // The map of one material would end at a smaller difference: acrylic against gold is far.
+    BackgroundTasks alone;
+    Sheet first(alone);
+    first.setSources({source_});
+    first.pictures().setRendering(true);
+    QVERIFY(wait([&] { return first.pictures().isComplete() && alone.isIdle(); }));
+    QVERIFY(window.pictures().range() > first.pictures().range());
+    // A material of the library and a fit go to the preview, too; what was not measured does not.
+    QSignalSpy compare(&window, &StudySheet::compareRequested);
+    window.sheet().toggle(4);
+    window.sheet().toggle(5);
+    window.compareSelected();
+    QVERIFY(wait([&] { return compare.count() == 1; }));
+    const auto names = compare[0][1].value<std::array<QString, 2>>();
+    QVERIFY(names[0] == "gold paint" && names[1] == "GGX");
+    // Columns are kept in the widget, however narrow it is.
+    QVERIFY(window.sheet().heightForWidth(400) < window.sheet().heightForWidth(1000));
   }
 
   /// Two tiles go to the preview: the material in its native form and the model alone.
   void comparesTwo() {
     BackgroundTasks tasks;
-    StudySheet window(tasks);
-    window.setSource(source_);
-    window.setRendering(true);
+    Sheet window(tasks);
+    window.setSources({source_});
+    window.pictures().setRendering(true);
     QSignalSpy compare(&window, &StudySheet::compareRequested);
     window.sheet().toggle(2);
     window.sheet().toggle(1);
@@ -138,7 +181,7 @@ class StudySheetTest : public QObject {
   void theComparisonTellsTheSameSnr() {
     const auto reference = comparisonReference(widgets::measuredSubject(material_->base, material_->density));
     for (std::size_t i = 0; i < source_.entries.size(); ++i)
-      QCOMPARE(compareSubjects(StudySheet::subjectOf(source_, int(i) + 1, {}), *reference).renderedSnr,
+      QCOMPARE(compareSubjects(StudySheet::subjectOf(source_, int(i), {}), *reference).renderedSnr,
                source_.entries[i]->record.renderedSnr);
   }
 
@@ -146,9 +189,9 @@ class StudySheetTest : public QObject {
   void closingEndsTheWork() {
     BackgroundTasks tasks;
     {
-      StudySheet window(tasks);
-      window.setSource(source_);
-      window.setRendering(true);
+      Sheet window(tasks);
+      window.setSources({source_});
+      window.pictures().setRendering(true);
       QVERIFY(!tasks.isIdle());
     }
     QVERIFY(tasks.isIdle());
@@ -157,22 +200,22 @@ class StudySheetTest : public QObject {
   /// Another order needs no new pictures; results that are measured anew do.
   void picturesStay() {
     BackgroundTasks tasks;
-    StudySheet window(tasks);
-    window.setSource(source_);
-    window.setRendering(true);
-    QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
+    Sheet window(tasks);
+    window.setSources({source_});
+    window.pictures().setRendering(true);
+    QVERIFY(wait([&] { return window.pictures().isComplete() && tasks.isIdle(); }));
     SheetSource reversed = source_;
     std::ranges::reverse(reversed.entries);
-    window.setSource(reversed);
-    QVERIFY(window.isComplete() && tasks.isIdle());
+    window.setSources({reversed});
+    QVERIFY(window.pictures().isComplete() && tasks.isIdle());
     QVERIFY(window.sheet().tiles()[3].name == "GGX" && !window.sheet().tiles()[3].map.isNull());
     reversed.entries[0] = std::make_shared<const study::MeasuredRepresentation>(*reversed.entries[0]);
-    window.setRendering(false);
-    window.setSource(reversed);
-    QVERIFY(!window.isComplete() && tasks.isIdle() && window.sheet().tiles()[1].map.isNull());
-    window.setRendering(true);
-    QVERIFY(wait([&] { return window.isComplete(); }));
-    window.setSource({});
+    window.pictures().setRendering(false);
+    window.setSources({reversed});
+    QVERIFY(!window.pictures().isComplete() && tasks.isIdle() && window.sheet().tiles()[1].map.isNull());
+    window.pictures().setRendering(true);
+    QVERIFY(wait([&] { return window.pictures().isComplete(); }));
+    window.setSources({});
     QVERIFY(window.sheet().tiles().empty());
   }
 

@@ -123,12 +123,48 @@ class StudySummaryTest : public QObject {
     for (const int column : {StudyModel::PlotColumn, StudyModel::ErrorColumn, StudyModel::WarningsColumn})
       QVERIFY(table.isColumnHidden(column));
     editor.window->show(ggxFit);
-    QVERIFY(!editor.tasks.isRunning("study preview") && editor.window->sheet().sheet().tiles().empty());
-    // The results of other materials are dropped; those of rows that are ticked no longer, too.
+    QVERIFY(!editor.tasks.isRunning("study preview"));
+  }
+
+  /// The sheet has a row for each material that was measured; a broken file has none.
+  void theSheetHasARowForEachMaterial() {
+    Editor editor;
+    editor.measure();
+    QVERIFY(editor.finish());
+    const widgets::ContactSheet& sheet = editor.window->sheet().sheet();
+    QCOMPARE(sheet.columns(), 5);
+    QCOMPARE(sheet.tiles().size(), std::size_t(3 * 5));
+    QStringList first;
+    for (std::size_t row = 0; row < 3; ++row) first << sheet.tiles()[5 * row].name;
+    QCOMPARE(first, QStringList({"dark", "bright", "glossy"}));
+    // All rows have the representations in the order of the results.
+    for (std::size_t column = 1; column < 5; ++column)
+      for (std::size_t row = 1; row < 3; ++row)
+        QCOMPARE(sheet.tiles()[5 * row + column].name, sheet.tiles()[column].name);
+  }
+
+  /// Only what is missing is measured when other materials are selected; what is ticked no longer is dropped.
+  void resultsOfMaterialsThatRemainStay() {
+    Editor editor;
     editor.window->choice().setNames({"ggx"});
-    QCOMPARE(editor.model().rowCount(), 1);
-    QVERIFY(editor.model().isMeasured(0));
     editor.window->setMaterials(editor.ids.mid(0, 2));
+    editor.measure();
+    QVERIFY(editor.finish());
+    const StudyModel::Studied bright = editor.model().studied(0, 1);
+    QVERIFY(bright);
+    editor.window->setMaterials({editor.ids[2], editor.ids[1]});
+    QCOMPARE(editor.text(0, StudyModel::MaterialsColumn), "1");
+    QVERIFY(editor.model().missing(0).size() == 1 && editor.model().missing(1).empty());
+    QCOMPARE(editor.model().studied(0, 1), bright);
+    editor.measure();
+    QVERIFY(editor.finish());
+    QCOMPARE(editor.model().studied(0, 1), bright);
+    QCOMPARE(editor.text(0, StudyModel::MaterialsColumn), "2");
+    // One of them alone: its pictures are those of one material.
+    editor.window->setMaterials({editor.ids[1]});
+    QVERIFY(!editor.model().index(0, StudyModel::NameColumn).data(Qt::DecorationRole).value<QIcon>().isNull());
+    QVERIFY(editor.model().missing(0).empty());
+    editor.window->choice().setNames({"lambert"});
     QVERIFY(editor.model().isEmpty());
   }
 

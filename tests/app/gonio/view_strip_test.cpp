@@ -15,6 +15,7 @@
 #include "tests/support/test_program.h"
 #include "tests/widgets/child.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/inputs/parameter_slider.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace view_strip_test {
@@ -105,6 +106,23 @@ class ViewStripTest : public QObject {
     QCOMPARE(preview_->display().exposure, 1.5);
     preview_->setExposure(-2);
     QCOMPARE(exposure->value(), -2.0);
+  }
+
+  /// A narrow strip leaves out the slider of the exposure; the field remains.
+  void aNarrowStripHasNoSlider() {
+    QWidget window;
+    strip_->setParent(&window);
+    window.show();
+    strip_->show();
+    const auto* slider = strip_->findChild<widgets::ParameterSlider*>();
+    const QSize narrow = strip_->minimumSizeHint();
+    strip_->resize(narrow);
+    QVERIFY(slider->isHidden() && !strip_->findChild<widgets::NumberField*>()->isHidden());
+    QCOMPARE(strip_->minimumSizeHint(), narrow);
+    strip_->resize(2 * narrow);
+    QVERIFY(!slider->isHidden());
+    QCOMPARE(strip_->minimumSizeHint(), narrow);
+    strip_->setParent(nullptr);
   }
 
   void filesAreAskedFor() {
