@@ -296,19 +296,6 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
   return trial;
 }
 
-Encoder::Trial Encoder::best(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
-                             const TaskControl& control) const {
-  const std::vector<Dictionary>& all = ensemble_.dictionaries;
-  const auto isCommon = [](const Dictionary& d) { return d.sparsity <= commonSparsity; };
-  Trial any = tried(transform, table, options, std::numeric_limits<int>::max(), control);
-  if (options.refinements == 0 || !table.isReciprocal() || std::ranges::none_of(all, isCommon) ||
-      std::ranges::all_of(any.channels,
-                          [&](const ChannelCode& channel) { return isCommon(all[std::size_t(channel.dictionary)]); }))
-    return any;
-  Trial common = tried(transform, table, options, commonSparsity, control);
-  return common.candidate.gammaError < any.candidate.gammaError ? common : any;
-}
-
 /// All rounds in double precision, so that rounding does not decide between coefficients of nearly equal size. If the
 /// trial's few rounds have less error, only these.
 EncodedCandidate Encoder::refined(const Trial& trial, const TabulatedBrdf& table, const EncodeOptions& options,
@@ -363,6 +350,39 @@ std::vector<std::string> lostPeaks(const TabulatedBrdf& table, const TabulatedBr
   return sentences;
 }
 
+EncodeResult Encoder::encodeOver(int maxSparsity, const TabulatedBrdf& table, const EncodeOptions& options,
+                                 const TaskControl& control) const {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Trial> trials(options.transforms.size());
+  const double trialFraction = double(trials.size()) / double(trials.size() + 1);
+  const TaskControl silent{.stop = control.stop, .progress = {}};
+  parallelForBlocks(
+      trials.size(), 1,
+      [&](std::size_t t, std::size_t) {
+        trials[t] = tried(options.transforms[t], table, options, maxSparsity, silent);
+      },
+      control.between(0, trialFraction));
+  Trial& best = *std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
+    return a.candidate.gammaError < b.candidate.gammaError;
+  });
+  best.candidate = refined(best, table, options, silent);
+
+  EncodeResult result;
+  result.code = best.candidate.code;
+  for (Trial& trial : trials) result.candidates.push_back(std::move(trial.candidate));
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  control.report(1);
+  return result;
+}
+
+namespace {
+
+double smallestGammaError(const EncodeResult& result) {
+  return std::ranges::min_element(result.candidates, {}, &EncodedCandidate::gammaError)->gammaError;
+}
+
+}  // namespace
+
 EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options,
                              const TaskControl& control) const {
   if (table.grid() != ensemble_.grid && table.grid() == ensemble_.grid.wholeCircle()) {
@@ -370,23 +390,20 @@ EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& op
     return encodeWithin(Encoder(both), table, options, control);
   }
   if (!(table.grid() == ensemble_.grid)) throw Error("the material and the dictionary have different grids");
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<Trial> trials(options.transforms.size());
-  const double trialFraction = double(trials.size()) / double(trials.size() + 1);
-  const TaskControl silent{.stop = control.stop, .progress = {}};
-  parallelForBlocks(
-      trials.size(), 1,
-      [&](std::size_t t, std::size_t) { trials[t] = best(options.transforms[t], table, options, silent); },
-      control.between(0, trialFraction));
-  Trial& selected = *std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
-    return a.candidate.gammaError < b.candidate.gammaError;
-  });
-  selected.candidate = refined(selected, table, options, silent);
-
-  EncodeResult result;
-  result.code = selected.candidate.code;
-  for (Trial& trial : trials) result.candidates.push_back(std::move(trial.candidate));
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::vector<Dictionary>& all = ensemble_.dictionaries;
+  const auto isCommon = [](const Dictionary& dictionary) { return dictionary.sparsity <= commonSparsity; };
+  const bool mayRepeat = options.refinements > 0 && table.isReciprocal() && std::ranges::any_of(all, isCommon) &&
+                         !std::ranges::all_of(all, isCommon);
+  EncodeResult result =
+      encodeOver(std::numeric_limits<int>::max(), table, options, mayRepeat ? control.between(0, 0.5) : control);
+  if (mayRepeat && std::ranges::any_of(result.code.channels, [&](const ChannelCode& channel) {
+        return !isCommon(all[std::size_t(channel.dictionary)]);
+      })) {
+    EncodeResult common = encodeOver(commonSparsity, table, options, control.between(0.5, 1));
+    common.seconds += result.seconds;
+    if (smallestGammaError(common) < smallestGammaError(result)) return common;
+    result.seconds = common.seconds;
+  }
   control.report(1);
   return result;
 }

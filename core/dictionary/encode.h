@@ -94,9 +94,7 @@ class Encoder {
 
   /// For each transform, chooses the dictionary with the most energy in its largest coefficients: with
   /// EncodeOptions::sharedDictionary one for all channels, which makes the file smaller, unless separate dictionaries
-  /// have at least a quarter less squared error. For a reciprocal table, dictionaries for many coefficients
-  /// (commonSparsity) also have to be better than the best of the others after the first rounds, by the gamma error:
-  /// the energy includes the invalid cells. Takes these coefficients (the exact minimiser, because the
+  /// have at least a quarter less squared error. Takes these coefficients (the exact minimiser, because the
   /// dictionaries are orthonormal). Then refinement rounds replace the values of invalid cells, which are free, by
   /// those that the code gives them, so that the coefficients represent the valid cells. This is iterative hard
   /// thresholding on the valid cells, with the momentum of Beck and Teboulle 2009, "A Fast Iterative
@@ -105,7 +103,9 @@ class Encoder {
   /// few rounds is selected, and its rounds are repeated in double precision, so that codes do not depend on the
   /// instruction set; if all rounds have a larger error than the few, the few are used. A table of both orders of the
   /// directions (onCodeGrid()) is encoded over inBothOrders() of the ensemble, with the largest coefficients of both
-  /// parts. @throws Error if the table has another grid; Cancelled.
+  /// parts. If the code of a reciprocal table has a dictionary for more coefficients than commonSparsity, the table is
+  /// encoded again without these, and the code with the smaller gamma error is the result: the energy, which chooses
+  /// the dictionary, includes the invalid cells. @throws Error if the table has another grid; Cancelled.
   EncodeResult encode(const TabulatedBrdf& table, const EncodeOptions& options = {},
                       const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }
@@ -117,9 +117,8 @@ class Encoder {
   /// The first rounds of a transform. @param maxSparsity of the dictionaries among which it chooses.
   Trial tried(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options, int maxSparsity,
               const TaskControl& control) const;
-  /// The better one of the trials over all dictionaries and, if it chose another, over those of commonSparsity.
-  Trial best(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
-             const TaskControl& control) const;
+  EncodeResult encodeOver(int maxSparsity, const TabulatedBrdf& table, const EncodeOptions& options,
+                          const TaskControl& control) const;
   EncodedCandidate refined(const Trial& trial, const TabulatedBrdf& table, const EncodeOptions& options,
                            const TaskControl& control) const;
   EncodedCandidate candidate(const Trial& trial, const ChannelCoefficients& coefficients, const TabulatedBrdf& table,

@@ -364,8 +364,7 @@ void ExportDialog::showTrial() {
   const QString label = widgets::toQString(target().label);
   const QImage expected = shown ? QImage() : m_controller.expected(m_material, target());
   m_pictures->setPictures(m_controller.picture(m_material), shown ? shown->exported : expected);
-  m_pictures->setExportedName(expected.isNull() ? tr("Export for %1").arg(label)
-                                                : tr("Export for %1, expected").arg(label));
+  m_pictures->setExportedName(expected.isNull() ? tr("Export for %1").arg(label) : tr("%1, expected").arg(label));
   QStringList numbers, warnings;
   if (!shown) {
     m_match->setText(m_error.isEmpty() ? tr("Preparing the export...") : m_error);

@@ -104,7 +104,8 @@ void ViewStrip::build() {
     connect(box, &QComboBox::activated, this, [this] { m_preview.setFocus(Qt::OtherFocusReason); });
   }
   m_scenes->view()->installEventFilter(this);
-  m_scenes->setIconSize({0, 0});  // icons only in the list: the names need the room of the box
+  m_scenes->setMinimumContentsLength(6);  // "Sphere"
+  m_scenes->setIconSize({0, 0});          // icons only in the list: the names need the room of the box
   // The lists show whole names where the boxes have no room for them.
   for (QComboBox* box : {m_scenes, m_backgrounds}) box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

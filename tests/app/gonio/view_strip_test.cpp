@@ -3,6 +3,7 @@
 #include "app/gonio/scene/view_strip.h"
 
 #include <QComboBox>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -112,6 +113,7 @@ class ViewStripTest : public QObject {
   void aNarrowStripHasNoSlider() {
     QWidget window;
     strip_->setParent(&window);
+    const auto free = qScopeGuard([this] { strip_->setParent(nullptr); });
     window.show();
     strip_->show();
     const auto* slider = strip_->findChild<widgets::ParameterSlider*>();
@@ -122,7 +124,6 @@ class ViewStripTest : public QObject {
     strip_->resize(2 * narrow);
     QVERIFY(!slider->isHidden());
     QCOMPARE(strip_->minimumSizeHint(), narrow);
-    strip_->setParent(nullptr);
   }
 
   void filesAreAskedFor() {
