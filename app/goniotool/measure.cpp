@@ -191,9 +191,9 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
   command
       .add_option(
           "--factors", options->axes,
-          "Instead of a plan, measure two curves and predict the material. adaptive (recommended) fits it to all "
-          "readings, also at further angles; projected-deviation, symmetric-deviation, half-difference and half-out "
-          "predict it as a product of two curves over these axes")
+          "Instead of a plan, measure two curves and predict the material. adaptive fits it to all readings, also at "
+          "further angles (for 60 readings or more); projected-deviation, symmetric-deviation, half-difference and "
+          "half-out predict it as a product of two curves over these axes")
       ->check(CLI::IsMember(namesOf(acquisition::factorAxesNames)));
   command
       .add_option("--fixed-angle", options->fixedDegrees,

@@ -25,7 +25,7 @@ MaterialClass materialClassNamed(std::string_view name);
 /// infinite if it is black beside the plane.
 double highlightContrast(const Brdf& material);
 /// highlightContrast() from which a material counts as glossy.
-inline constexpr double glossyContrast = 2;
+inline constexpr double glossyContrast = 3;
 
 /// The files of a class, in their order. Opens each file unless the class is `all`; in parallel.
 /// @throws Error if none is of the class; as documents::openMaterial(); Cancelled.

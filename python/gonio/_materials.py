@@ -356,9 +356,10 @@ def from_coordinates(system: str, values: ArrayLike) -> tuple[NDArray[np.float64
         none has, wi and wo are the normal.
 
     Raises:
-        Error: The system is unknown, or the last dimension of `values` has another length.
+        Error: The system is unknown, the last dimension of `values` has another length, or a value is not finite.
     """
     array = np.asarray(values, dtype=np.float64)
+    check_finite("values", array)
     rows = array.reshape(-1, array.shape[-1]) if array.ndim > 0 else array
     wi, wo, valid = _core.from_coordinates(system, rows)
     shape = array.shape[:-1]

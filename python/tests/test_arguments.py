@@ -87,6 +87,9 @@ def test_arrays_are_finite(chrome):
         "SeparatedBasis.decode.code": lambda: gonio.SeparatedBasis(basis, basis).decode((np.full((3, 2), np.nan), np.zeros((3, 2)))),
         "Plan.wi": lambda: gonio.Plan(bad, unit),
         "Plan.wo": lambda: gonio.Plan(unit, bad),
+        "to_coordinates.wi": lambda: gonio.to_coordinates("half-difference", bad, unit),
+        "to_coordinates.wo": lambda: gonio.to_coordinates("half-difference", unit, bad),
+        "from_coordinates.values": lambda: gonio.from_coordinates("half-difference", bad),
         "neural_brdf.weights": lambda: gonio.neural_brdf(np.full(675, np.nan)),
     }
     arrays = {f"{name}.{parameter.name}" for name, _, parameter in parameters("ArrayLike")}
