@@ -52,10 +52,12 @@ DirectionTable readDirections(const std::filesystem::path& path, const Coordinat
     for (const CoordinateColumn& column : system.columns) names.push_back(column.name);
     const io::CsvText csv = io::readCsvText(io::readText(path), names);
     std::vector<std::size_t> columns;
+    columns.reserve(names.size());
     for (const std::string_view name : names) columns.push_back(csv.requiredColumn(name));
     DirectionTable table{system, {}};
     for (const io::CsvText::Row& row : csv.rows) {
       std::vector<double> values;
+      values.reserve(columns.size());
       for (const std::size_t column : columns) values.push_back(csv.number(row, column));
       table.rows.push_back(std::move(values));
     }
@@ -105,6 +107,7 @@ int evaluate(const EvaluateArguments& options, const Tool& tool) {
   const DirectionTable directions = readDirections(options.directions, coordinateSystemNamed(options.coordinates));
   const std::vector<std::optional<DirectionPair>> found = directions.pairs();
   std::vector<DirectionPair> pairs;
+  pairs.reserve(found.size());
   for (const std::optional<DirectionPair>& pair : found)
     pairs.push_back(pair.value_or(DirectionPair{{0, 0, 1}, {0, 0, 1}}));
   std::vector<Rgb> values(pairs.size());
