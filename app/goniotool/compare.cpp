@@ -97,7 +97,7 @@ void drawLegend(Canvas& canvas, int left, int top, int width, double end) {
   }
 }
 
-/// Two renderings of the same size side by side, and their error map with a legend (errorMaps()).
+/// Two renderings of the same size side by side, and their error map with a legend (errorMap()).
 DisplayPicture comparisonPicture(const Image& reference, const Image& test, const std::string& referenceName,
                                  const std::string& testName, double exposure, rendering::ToneMap toneMap) {
   const int width = reference.width, height = reference.height, step = width + gap;

@@ -12,7 +12,7 @@
 #include "core/documents/open_material.h"
 #include "core/materials/encode.h"
 #include "core/study/learned_basis.h"
-#include "core/study/material_class.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 

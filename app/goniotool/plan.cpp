@@ -99,34 +99,64 @@ std::string placeBasis(const study::LearnedBasis& learned, int components, mater
   return basisDigest(path);
 }
 
-void report(const PlanArguments& options, const SamplingPlan& plan, const SampleSelection& selection,
-            const materials::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
-  const std::string basisPath = basisBeside(options.out).string();
-  Json json{{"samples", plan.samples.size()},
+/// The selection of one command and what it was made from.
+struct Planned {
+  SamplingPlan plan;
+  SampleSelection selection;
+  double seconds = 0, trainingSeconds = 0;
+  std::size_t materials = 0;
+  Eigen::Index signals = 0;
+};
+
+Planned planned(const PlanArguments& options, const SelectionOptions& chosen,
+                const dictionary::PrincipalComponents& components, std::size_t materials, double trainingSeconds,
+                const Tool& tool) {
+  const auto start = std::chrono::steady_clock::now();
+  Planned result{.selection = selectSamples(components, chosen, tool.control("choosing directions")),
+                 .trainingSeconds = trainingSeconds,
+                 .materials = materials,
+                 .signals = components.svd.v.rows()};
+  result.seconds = secondsSince(start);
+  result.plan = planFor(components.mapping.grid, result.selection.cells);
+  result.plan.method = options.method;
+  return result;
+}
+
+/// @param basis the keys of the basis that was written, null without one
+/// @param learning a sentence about it
+void report(const PlanArguments& options, const Planned& planned, const Json& basis, const std::string& learning,
+            const Tool& tool) {
+  const SampleSelection& selection = planned.selection;
+  const double travel = travelDegrees(planned.plan);
+  Json json{{"samples", planned.plan.samples.size()},
             {"method", options.method},
-            {"seconds", seconds},
-            {"trainingSeconds", trainingSeconds},
-            {"materials", basis.learnedFrom.size()},
-            {"signals", basis.components.svd.v.rows()},
-            {"components", kept},
+            {"over", options.over},
+            {"seconds", planned.seconds},
+            {"trainingSeconds", planned.trainingSeconds},
+            {"materials", planned.materials},
+            {"signals", planned.signals},
             {"conditionNumber", decibelsJson(selection.conditionNumber)},
             {"residuals", selection.residuals},
-            {"travel", travelDegrees(plan)},
-            {"out", options.out},
-            {"basis", basisPath}};
+            {"travel", travel},
+            {"out", options.out}};
+  if (!basis.is_null()) json.update(basis);
   if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
   print(tool, json,
-        options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " in " +
-            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", travel of the arms " +
-            number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(kept) + " components of " +
-            std::to_string(basis.learnedFrom.size()) + " materials, " +
-            (trainingSeconds > 0 ? "learned in " + number(trainingSeconds) + " s" : "learned before") + "\n" +
+        options.out + ": " + std::to_string(planned.plan.samples.size()) + " samples by " + options.method + " in " +
+            number(planned.seconds) + " s, condition number " + number(selection.conditionNumber) +
+            ", travel of the arms " + number(travel) + " degrees\n" + learning + "\n" +
             (selection.warning.empty() ? "" : selection.warning + "\n"));
+}
+
+std::string learnedIn(double seconds) {
+  return seconds > 0 ? "learned in " + number(seconds) + " s" : "learned before";
 }
 
 /// Over the atoms of dictionaries: no basis is written, since reconstruct --method dictionaries learns its prior
 /// itself.
 int planOverDictionaries(const PlanArguments& options, const Tool& tool) {
+  if (options.basisComponents > 0 || options.single)
+    throw UsageError("plan: --basis-components and --single need --over components, which writes a basis file");
   const SelectionOptions chosen = selectionOptions(options);
   io::checkWritable(options.out);
   const auto dictionary =
@@ -134,38 +164,21 @@ int planOverDictionaries(const PlanArguments& options, const Tool& tool) {
   const std::vector<std::string> files =
       study::filesOfClass(study::trainingFilesOrLibrary(options.train, options.excluded),
                           study::materialClassNamed(options.materialClass), tool.control("classifying"));
+  const std::string trainingSet = std::to_string(files.size()) + " materials";
   const auto training = study::trainingMaterials(files, dictionary->ensemble.grid);
-  auto start = std::chrono::steady_clock::now();
-  const auto prior = acquisition::learnDictionaryPrior(
-      dictionary->ensemble, training, {}, tool.control("learning from " + std::to_string(files.size()) + " materials"));
+  const auto start = std::chrono::steady_clock::now();
+  const auto prior = acquisition::learnDictionaryPrior(dictionary->ensemble, training, {},
+                                                       tool.control("learning from " + trainingSet));
   const auto components = acquisition::atomComponents(
       dictionary->ensemble, prior, std::max({defaultAtomSignals, chosen.samples, usedComponents(chosen)}),
       tool.control("decomposing atoms"));
-  const double trainingSeconds = secondsSince(start);
-  start = std::chrono::steady_clock::now();
-  const SampleSelection selection = selectSamples(components, chosen, tool.control("choosing directions"));
-  const double seconds = secondsSince(start);
-  SamplingPlan plan = planFor(components.mapping.grid, selection.cells);
-  plan.method = options.method + ", dictionaries";
-  acquisition::writePlan(plan, options.out,
-                         {"dictionaries, training set: " + std::to_string(files.size()) + " materials"});
-  Json json{{"samples", plan.samples.size()},
-            {"method", options.method},
-            {"over", options.over},
-            {"seconds", seconds},
-            {"trainingSeconds", trainingSeconds},
-            {"materials", files.size()},
-            {"signals", components.svd.v.rows()},
-            {"conditionNumber", decibelsJson(selection.conditionNumber)},
-            {"residuals", selection.residuals},
-            {"travel", travelDegrees(plan)},
-            {"out", options.out}};
-  if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
-  print(tool, json,
-        options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " over " +
-            std::to_string(components.svd.v.rows()) + " atoms in " + number(seconds) + " s, after " +
-            number(trainingSeconds) + " s of learning from " + std::to_string(files.size()) + " materials\n" +
-            (selection.warning.empty() ? "" : selection.warning + "\n"));
+  Planned result = planned(options, chosen, components, files.size(), secondsSince(start), tool);
+  result.plan.method += ", dictionaries";
+  acquisition::writePlan(result.plan, options.out, {"dictionaries, training set: " + trainingSet});
+  report(options, result, {},
+         std::to_string(result.signals) + " atoms, coefficients of " + trainingSet + " " +
+             learnedIn(result.trainingSeconds),
+         tool);
   return 0;
 }
 
@@ -186,19 +199,19 @@ int plan(const PlanArguments& options, const Tool& tool) {
   const study::LearnedBasis learned =
       basisOfSources(options.train, options.excluded, std::max(wanted, used), tool, precision, options.materialClass);
   const materials::BasisFile& basis = *learned.basis;
-  const auto start = std::chrono::steady_clock::now();
-  const SampleSelection selection = selectSamples(basis.components, chosen, tool.control("choosing directions"));
-  const double seconds = secondsSince(start);
-  SamplingPlan plan = planFor(basis.components.mapping.grid, selection.cells);
-  plan.method = options.method;
+  Planned result = planned(options, chosen, basis.components, basis.learnedFrom.size(), learned.seconds, tool);
   const int components = std::min(wanted, basis.components.count());
+  const std::string trainingSet = std::to_string(basis.learnedFrom.size()) + " materials";
   // A plan names its basis: without the one the other is not written.
-  plan.basisDigest = placeBasis(learned, components, precision, basisPath);
+  result.plan.basisDigest = placeBasis(learned, components, precision, basisPath);
   acquisition::writePlan(
-      plan, options.out,
-      {"training set: " + std::to_string(basis.learnedFrom.size()) + " materials",
+      result.plan, options.out,
+      {"training set: " + trainingSet,
        "angles in degrees, i is the light, o the viewer; for isotropic materials only phi_o - phi_i matters"});
-  report(options, plan, selection, basis, components, learned.seconds, seconds, tool);
+  report(options, result, {{"components", components}, {"basis", basisPath.string()}},
+         basisPath.string() + ": " + std::to_string(components) + " components of " + trainingSet + ", " +
+             learnedIn(learned.seconds),
+         tool);
   return 0;
 }
 

@@ -198,13 +198,6 @@ MatrixXd roughness() {
   return penalty;
 }
 
-double quantile(std::vector<double> values, double fraction) {
-  std::ranges::sort(values);
-  const double at = fraction * double(values.size() - 1);
-  const auto lower = std::size_t(at);
-  return std::lerp(values[lower], values[std::min(lower + 1, values.size() - 1)], at - double(lower));
-}
-
 /// The readings of one channel.
 struct ChannelReadings {
   VectorXd rho, logarithm;  ///< >= 0, and ln(rho + floor)
@@ -218,7 +211,8 @@ ChannelReadings channelOf(const FactorReadings& readings, int channel) {
   for (std::size_t i = 0; i < n; ++i) rho[i] = std::max(0.0, readings.values.rgb[i][channel]);
   ChannelReadings result{Eigen::Map<const VectorXd>(rho.data(), Index(n)), {}, VectorXd::Ones(Index(n))};
   // Ten thousandths of a highlight are invisible, and dark readings rough.
-  result.floor = 1e-4 + 1e-2 * quantile(rho, 0.5) + 1e-4 * *std::ranges::max_element(rho);
+  std::vector<float> values(rho.begin(), rho.end());
+  result.floor = 1e-4 + 1e-2 * double(medianOf(values)) + 1e-4 * *std::ranges::max_element(rho);
   result.logarithm = (result.rho.array() + result.floor).log();
   for (std::size_t i = 0; i < n; ++i) {
     const auto& [wi, wo] = readings.plan.plan.samples[i].directions;
@@ -291,8 +285,10 @@ class SurfaceFit {
  private:
   /// The body is the darkest readings, the highlight the linear least-squares solution for the logarithm of the rest.
   VectorXd start() const {
-    const std::vector<double> rho(readings_.rho.begin(), readings_.rho.end());
-    const double body = std::max(1e-7, 0.7 * quantile(rho, 0.05));
+    std::vector<double> rho(readings_.rho.begin(), readings_.rho.end());
+    const auto dark = rho.begin() + std::ptrdiff_t(rho.size() / 20);
+    std::ranges::nth_element(rho, dark);
+    const double body = std::max(1e-7, 0.7 * *dark);
     VectorXd parameters(Index{parameterCount});
     parameters.tail(rows_.body.cols()).setConstant(std::log(body) / 2);
     const VectorXd logarithm = (readings_.rho.array() - body).max(1e-3 * readings_.rho.array() + 1e-9).log();

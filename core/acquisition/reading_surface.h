@@ -18,10 +18,10 @@ namespace gonio::acquisition {
 /// half of |Dp| = 2 cos theta_d sin theta_h; the fit is made for p = 0, 1/2 and 1, and the result is the mean of the
 /// three, weighted by the inverse of their squared errors. v is a monotone function that spreads the changes of the
 /// `across` readings evenly. k, a, b and c are piecewise linear. The method of Levenberg and Marquardt minimises the
-/// squared errors of ln(rho + e), e = 1e-4 plus a hundredth of the median reading and a ten-thousandth of the largest,
-/// plus penalties on the roughness of the curves. A reading has the weight cosineWeight(), because images hardly show
-/// grazing directions, where measurements are rough; with known noise it is divided by 1 plus the variance of ln(rho +
-/// e) over that of a model error of 5 %. Reciprocal.
+/// squared errors of ln(rho + e), e = 1e-4 1/sr plus a hundredth of the median reading and a ten-thousandth of the
+/// largest, plus penalties on the roughness of the curves. A reading has the weight cosineWeight(), because images
+/// hardly show grazing directions, where measurements are rough; with known noise it is divided by 1 plus the variance
+/// of ln(rho + e) over that of a model error of 5 %. Reciprocal.
 ///
 /// @param readings directions in any number and order; the `across` readings determine v. @param isBounded whether
 /// values are at most the largest reading of their channel, and at most the larger of two interpolated readings of the

@@ -9,9 +9,9 @@
 #include "core/acquisition/local_ridge.h"
 #include "core/acquisition/sample_rows.h"
 #include "core/math/decompositions.h"
-#include "core/math/lasso.h"
 #include "core/math/matching_pursuit.h"
 #include "core/math/parallel.h"
+#include "core/math/regression.h"
 #include "core/support/error.h"
 #include "core/support/text.h"
 

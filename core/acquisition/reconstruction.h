@@ -13,7 +13,7 @@
 #include "core/acquisition/measured_values.h"
 #include "core/acquisition/sample_rows.h"
 #include "core/dictionary/principal_components.h"
-#include "core/math/ridge_regression.h"
+#include "core/math/regression.h"
 #include "core/support/task_control.h"
 
 namespace gonio::acquisition {

@@ -72,10 +72,4 @@ std::vector<std::uint8_t> errorMap(const Image& reference, const Image& picture,
   return map;
 }
 
-ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures) {
-  ErrorMaps result{.range = errorRange(reference, pictures)};
-  for (const Image& picture : pictures) result.maps.push_back(errorMap(reference, picture, result.range));
-  return result;
-}
-
 }  // namespace gonio::rendering

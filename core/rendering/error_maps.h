@@ -22,22 +22,14 @@ DisplayColour viridis(double x);
 /// [-1, 1].
 DisplayColour signedColour(double x);
 
-/// False-colour maps (viridis()) of the differences of pictures from one reference, on a common scale.
-struct ErrorMaps {
-  /// One map per picture: sRGB RGBA with straight alpha, 4 bytes per pixel, and the alpha of the reference.
-  std::vector<std::vector<std::uint8_t>> maps;
-  double range = 0;  ///< absolute luminance difference of the last colour; larger ones are clamped
-};
+// False-colour maps (viridis()) of the differences of pictures from references, on a common scale.
 
-/// The scale ends at the 99.5th percentile of all differences, rounded up to 1, 2 or 5 times a power of ten, so that
-/// single noisy pixels do not dominate; 0 if all pictures are equal.
-/// Precondition: all pictures have the reference's size.
-ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures);
-
-/// The two steps of errorMaps(), for several references with a common scale: the end of the scale for these pictures,
-/// and the map of one picture. @param range end of the scale; 0 gives the first colour everywhere. Precondition as
-/// above.
+/// The end of the scale: absolute luminance difference of the last colour; larger ones are clamped. The 99.5th
+/// percentile of all differences, rounded up to 1, 2 or 5 times a power of ten, so that single noisy pixels do not
+/// dominate; 0 if all pictures are equal. Precondition: all pictures have the reference's size.
 double errorRange(const Image& reference, std::span<const Image> pictures);
+/// The map of one picture: sRGB RGBA with straight alpha, 4 bytes per pixel, and the alpha of the reference. @param
+/// range end of the scale; 0 gives the first colour everywhere. Precondition as above.
 std::vector<std::uint8_t> errorMap(const Image& reference, const Image& picture, double range);
 
 }  // namespace gonio::rendering

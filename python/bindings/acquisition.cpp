@@ -14,7 +14,6 @@
 #include "core/materials/basis_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/study/learned_basis.h"
-#include "core/study/material_class.h"
 #include "core/study/training_files.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"

@@ -20,7 +20,7 @@ int study(int count, char** values) {
   std::vector<double> sum, printed;
   const std::vector<std::string> paths = materials::libraryTrainingPaths();
   for (std::size_t i = 0; i < paths.size(); i += every) {
-    const auto table = materials::readLibraryMaterial(paths[i]).tabulated({});
+    const auto table = meanOfOrders(materials::readLibraryMaterial(paths[i]).tabulated({}));
     const std::vector<double> energy = factorization::publishedDeviationEnergy(*table);
     const std::vector<double> ofRho = factorization::publishedDeviationEnergy(*table, {}, DataTransform::none);
     sum.resize(energy.size());

@@ -179,7 +179,8 @@ TrainingRows::TrainingRows(QFormLayout& form)
              "\"Materials shown in the library\": the materials that match the current search, including those of an "
              "open library folder."))),
       m_class(rowBox(tr("Part of the training set that is used. A material is glossy if its luminance in the mirror "
-                        "direction at 15, 30 or 45 degrees is at least twice that beside the plane of incidence"))),
+                        "direction at 15, 30 or 45 degrees is at least %1 times that beside the plane of incidence")
+                         .arg(study::glossyContrast))),
       m_leaveOut(new QCheckBox(tr("Exclude the measured material"))),
       m_facts(new QLabel) {
   build(form);

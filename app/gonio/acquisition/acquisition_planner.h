@@ -11,7 +11,7 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/dictionary/principal_components.h"
-#include "core/study/material_class.h"
+#include "core/study/training_files.h"
 
 namespace gonio::app {
 

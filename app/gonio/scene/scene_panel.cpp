@@ -21,6 +21,7 @@
 #include "widgets/inputs/menu_text.h"
 #include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/panels/effect_list.h"
+#include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -280,10 +281,8 @@ QWidget* ScenePanel::buildBottom() {
   layout->addWidget(label);
   layout->addWidget(m_reflections);
   for (const rendering::SamplingMethod& method : rendering::samplingMethods()) {
-    m_sampling->addItem(QString::fromUtf8(method.name.data(), qsizetype(method.name.size())),
-                        QString::fromUtf8(method.id.data(), qsizetype(method.id.size())));
-    m_sampling->setItemData(m_sampling->count() - 1,
-                            QString::fromUtf8(method.text.data(), qsizetype(method.text.size())), Qt::ToolTipRole);
+    m_sampling->addItem(widgets::toQString(method.name), widgets::toQString(method.id));
+    m_sampling->setItemData(m_sampling->count() - 1, widgets::toQString(method.text), Qt::ToolTipRole);
   }
   m_sampling->setToolTip(
       tr("Importance sampling of the materials in the two measurements: from which density the reference renderer "

@@ -159,8 +159,8 @@ void SheetPictures::prepare(std::size_t source, Quality quality) {
         m_renderer = {source, quality, prepared.comparison};
         Picture& reference = m_references[source];
         if (reference.quality < quality) {
-          const Image& image = prepared.comparison->reference();
-          reference = {quality, image, QPixmap::fromImage(displayedImage(image)), {}, prepared.kind};
+          const std::shared_ptr<const Image> image(prepared.comparison, &prepared.comparison->reference());
+          reference = {quality, image, QPixmap::fromImage(displayedImage(*image)), {}, prepared.kind};
         }
         work();
       },
@@ -168,14 +168,14 @@ void SheetPictures::prepare(std::size_t source, Quality quality) {
 }
 
 void SheetPictures::render(const SheetEntry& entry) {
-  m_tasks.run<Image>(
+  m_tasks.run<std::shared_ptr<const Image>>(
       {tr("Rendering %1").arg(QString::fromStdString(entry->record.representation.shortLabel())), m_renderKey},
       [comparison = m_renderer->comparison, brdf = entry->brdf](const TaskControl& control) {
-        return comparison->render(*brdf, control).image;
+        return std::make_shared<const Image>(comparison->render(*brdf, control).image);
       },
-      [this, entry, quality = m_renderer->quality](const Image& image) {
+      [this, entry, quality = m_renderer->quality](const std::shared_ptr<const Image>& image) {
         Picture& picture = m_pictures[entry];
-        picture = {quality, image, QPixmap::fromImage(displayedImage(image)), picture.map, {}};
+        picture = {quality, image, QPixmap::fromImage(displayedImage(*image)), picture.map, {}};
         work();
       },
       failure());
@@ -183,9 +183,8 @@ void SheetPictures::render(const SheetEntry& entry) {
 
 void SheetPictures::makeMaps() {
   struct Row {
-    Image reference;
-    std::vector<Image> pictures;
-    std::vector<SheetEntry> entries;
+    std::shared_ptr<const Image> reference;
+    std::vector<std::pair<SheetEntry, std::shared_ptr<const Image>>> pictures;
   };
   struct Made {
     std::vector<std::pair<SheetEntry, QImage>> maps;
@@ -193,24 +192,26 @@ void SheetPictures::makeMaps() {
   };
   std::vector<Row> rows;
   for (std::size_t i = 0; i < m_sources.size(); ++i) {
-    Row row{m_references[i].image, {}, {}};
+    Row row{m_references[i].image, {}};
     for (const SheetEntry& entry : shown(i))
-      if (entry) {
-        row.pictures.push_back(pictureOf(entry).image);
-        row.entries.push_back(entry);
-      }
+      if (entry) row.pictures.emplace_back(entry, pictureOf(entry).image);
     rows.push_back(std::move(row));
   }
   m_tasks.run<Made>(
       {.title = tr("Comparing the images"), .key = m_mapsKey, .live = true},
-      [rows](const TaskControl&) {
+      [rows](const TaskControl& control) {
         Made made;
+        for (const Row& row : rows) {
+          control.throwIfStopped();
+          std::vector<Image> pictures;
+          for (const auto& [entry, picture] : row.pictures) pictures.push_back(*picture);
+          made.range = std::max(made.range, rendering::errorRange(*row.reference, pictures));
+        }
         for (const Row& row : rows)
-          made.range = std::max(made.range, rendering::errorRange(row.reference, row.pictures));
-        for (const Row& row : rows)
-          for (std::size_t i = 0; i < row.entries.size(); ++i)
-            made.maps.emplace_back(row.entries[i],
-                                   mapImage(rendering::errorMap(row.reference, row.pictures[i], made.range)));
+          for (const auto& [entry, picture] : row.pictures) {
+            control.throwIfStopped();
+            made.maps.emplace_back(entry, mapImage(rendering::errorMap(*row.reference, *picture, made.range)));
+          }
         return made;
       },
       [this, mapped = mappable()](const Made& made) {

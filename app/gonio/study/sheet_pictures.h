@@ -71,7 +71,7 @@ class SheetPictures : public QObject {
   enum Quality { none, coarse, fine };
   struct Picture {
     Quality quality = none;
-    Image image = {};
+    std::shared_ptr<const Image> image = nullptr;
     QPixmap pixmap = {}, map = {};
     QString kind = {};  ///< of a reference
   };

@@ -81,7 +81,7 @@ class FigureMeasurementTest : public QObject {
         QVERIFY(std::isnan(cell.value("frame-time")));
         pictures.push_back(alone[i].picture);
       }
-      maximum = std::max(maximum, errorMaps(*shown.reference, pictures).range);
+      maximum = std::max(maximum, errorRange(*shown.reference, pictures));
     }
     // One scale for all: the largest of those that the rows have by themselves.
     QVERIFY(maximum > 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/lasso.h"
+#include "core/math/regression.h"
 
 #include <Eigen/QR>
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/ridge_regression.h"
+#include "core/math/regression.h"
 
 #include <QTest>
 #include <limits>

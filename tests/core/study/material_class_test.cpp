@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/study/material_class.h"
+#include "core/study/training_files.h"
 
 #include <QTest>
 #include <cmath>
