@@ -56,8 +56,9 @@ std::string optionTable(const CLI::App& app, const std::string& name) {
   const CLI::App* command = &app;
   std::istringstream words(name == app.get_name() ? "" : name);
   for (std::string word; words >> word;) {
-    command = command->get_subcommand_no_throw(word);
-    if (!command) throw Error("no subcommand " + name);
+    const auto found = command->get_subcommands([&](const CLI::App* one) { return one->get_name() == word; });
+    if (found.empty()) throw Error("no subcommand " + name);
+    command = found.front();
   }
   const HelpFormatter help;
   std::vector<Cells> rows;
@@ -94,7 +95,7 @@ std::string partsOf(const models::ModelSpec& spec) {
   for (const models::ParameterSpec& parameter : spec.parameters)
     if (parameter.group != models::ParameterGroup::fresnel &&
         spec.formula.find(parameter.formula) == std::string_view::npos &&
-        parts.find(parameter.formula) == std::string::npos)
+        parts.find(parameter.formula) == std::string::npos && parameter.id != "fresnel")
       append(parts, "; ", parameter.formula);
   return parts;
 }
@@ -140,7 +141,7 @@ std::string targetTable() {
     rows.push_back({codeSpan(target.id), std::string(target.label), std::string(target.purpose), files,
                     std::string(target.limitations)});
   }
-  return tableOf({"--for", "target", "purpose", "files", "represents"}, rows);
+  return tableOf({codeSpan("--for"), "target", "purpose", "files", "represents"}, rows);
 }
 
 std::string recordTable(const std::string& name) {
