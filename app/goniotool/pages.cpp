@@ -150,6 +150,7 @@ std::string recordTable(const std::string& name) {
   if (name == "image-metrics") return imageMetricTable();
   if (name == "baselines") return baselineTable();
   if (name == "targets") return targetTable();
+  if (name == "scenes") return sceneTable();
   if (name == "figures") return figureTable();
   throw Error("no table " + name);
 }
