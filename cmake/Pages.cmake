@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# The pages of the documentation that the build completes, in <build folder>/docs: those of docs with comments such as
-# <!-- options: fit -->, by goniotool, and the reference of the Python module, which no page of docs contains.
-# GONIO_PAGES lists all pages of the guide, complete where they can be; gonio_pages is the target that makes them.
+# The pages of the documentation, complete, in <build folder>/docs: goniotool replaces comments such as
+# <!-- options: fit --> by tables; the reference of the Python module, which no page of docs contains, is added.
+# GONIO_PAGES lists the pages of the guide; gonio_pages is the target that makes them.
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 set(folder ${PROJECT_BINARY_DIR}/docs)
 file(MAKE_DIRECTORY ${folder})
@@ -20,14 +20,11 @@ endfunction()
 # What a sanitizer finds, or a program for another processor, would stop the build: then the pages remain as in docs.
 if(NOT GONIO_SANITIZE AND NOT CMAKE_CROSSCOMPILING)
   foreach(page ${pages})
-    file(STRINGS ${page} marks REGEX "^<!-- (options|table): ")
-    if(marks)
-      cmake_path(GET page FILENAME name)
-      gonio_page(${folder}/${name} COMMAND goniotool --complete-page ${page} DEPENDS goniotool ${page})
-      list(APPEND completed ${folder}/${name})
-      list(REMOVE_ITEM pages ${page})
-    endif()
+    cmake_path(GET page FILENAME name)
+    gonio_page(${folder}/${name} COMMAND goniotool --complete-page ${page} DEPENDS goniotool ${page})
+    list(APPEND completed ${folder}/${name})
   endforeach()
+  set(pages)
 endif()
 
 # It reads the sources of the package alone: the module need not be built, nor NumPy installed.
