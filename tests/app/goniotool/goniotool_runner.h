@@ -47,18 +47,6 @@ inline void collectKeys(const nlohmann::json& json) {
   }
 }
 
-/// The keys that runTool() has seen and docs/command-line.md does not contain in backquotes, with what to do; empty if
-/// there are none.
-inline QString undocumentedKeys() {
-  QFile page(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md");
-  if (!page.open(QIODevice::ReadOnly)) return page.fileName() + " cannot be read";
-  const QByteArray text = page.readAll();
-  QStringList missing;
-  for (const std::string& key : seenKeys())
-    if (!text.contains("`" + QByteArray::fromStdString(key) + "`")) missing << QString::fromStdString(key);
-  return missing.isEmpty() ? QString() : "document these keys in docs/command-line.md: " + missing.join(", ");
-}
-
 /// Runs goniotool to its end, for as long as CTest lets the test run. @param maxFileBytes limits the files that it may
 /// write, as ulimit -f.
 inline ToolResult runTool(const QStringList& arguments, rlim_t maxFileBytes = RLIM_INFINITY) {
@@ -86,6 +74,16 @@ inline ToolResult runTool(const QStringList& arguments, rlim_t maxFileBytes = RL
 /// A page of docs with its tables, as the build completes it. @param name e.g. "exports".
 inline QString completePage(const QString& name) {
   return runTool({"--complete-page", QString(GONIO_DOCUMENTATION_DIR) + "/" + name + ".md"}).out;
+}
+
+/// The keys that runTool() has seen and the complete docs/command-line.md does not contain in backquotes, with what to
+/// do; empty if there are none.
+inline QString undocumentedKeys() {
+  const QString page = completePage("command-line");
+  QStringList missing;
+  for (const std::string& key : seenKeys())
+    if (!page.contains("`" + QString::fromStdString(key) + "`")) missing << QString::fromStdString(key);
+  return missing.isEmpty() ? QString() : "document these keys in docs/command-line.md: " + missing.join(", ");
 }
 
 inline ToolResult runJson(QStringList arguments) { return runTool(arguments << "--json"); }
