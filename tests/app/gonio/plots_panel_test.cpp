@@ -220,6 +220,7 @@ class PlotsPanelTest : public QObject {
     choices.logarithmic[std::size_t(PlotKind::lobe)] = false;
     choices.axis = plots::SectionAxis::thetaH;
     choices.spacing = plots::ThetaHSpacing::linear;
+    choices.coordinates = plots::SliceCoordinates::halfOut;
     {
       Panel p;
       p.panel.controls().setChoices(choices);
