@@ -1,20 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-"""Writes the reference of docs/python.md, below its introduction, from the docstrings of the module gonio:
-
-    PYTHONPATH=build/release/python /usr/bin/python3 scripts/python_reference.py
+"""Prints the reference of the module gonio as Markdown, made from its docstrings: the page python-reference.md of the guide
+(cmake/Pages.cmake). It needs neither the built module nor NumPy.
 """
 import ast
 import inspect
 import math
 import pathlib
 import re
+import sys
+import unittest.mock
 
+if __name__ == "__main__":  # signatures and docstrings do not depend on these
+    sys.modules.update({name: unittest.mock.MagicMock() for name in ("numpy", "numpy.typing", "gonio._core")})
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
 import gonio
 
-PAGE = pathlib.Path(__file__).resolve().parents[1] / "docs" / "python.md"
-MARKER = "<!-- From here on made by scripts/python_reference.py. -->\n"
 SECTIONS = {
     "Materials": ["open", "library", "from_table", "grid_directions", "coordinates", "to_coordinates",
                   "from_coordinates", "check", "set_threads", "Material", "GridDirections",
@@ -106,9 +108,10 @@ def class_text(name, item):
     return "\n".join(parts)
 
 
-def page(text):
-    """The page with its introduction as it is in `text` and the reference made anew."""
-    parts = [text.split(MARKER)[0] + MARKER, inspect.getdoc(gonio) + "\n"]
+def page():
+    """The whole page."""
+    parts = ["# Reference of the Python module\n", "[Python](python.md) shows how to use it. Terms are explained in the [glossary](glossary.md).\n",
+             linked(inspect.getdoc(gonio)) + "\n"]
     for section, names in SECTIONS.items():
         parts.append(f"## {section}\n")
         for name in names:
@@ -122,4 +125,5 @@ def page(text):
 
 
 if __name__ == "__main__":
-    PAGE.write_text(page(PAGE.read_text()))
+    sys.stdout.reconfigure(encoding="utf-8")
+    print(page(), end="")

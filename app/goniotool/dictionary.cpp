@@ -177,7 +177,7 @@ void addTrain(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 0.5));
   command->add_flag(
       "--as-published", [&training](std::int64_t) { training.signals.scaled = false; },
-      "Learn from transformed values without cell scaling");
+      "Learn from transformed values without cell scaling, of the mean of both orders of the directions");
   command
       ->add_option("--extend", options->extended,
                    "Dictionary file whose dictionaries precede the learned ones in the file to write")

@@ -213,13 +213,15 @@ void addEdit(CLI::App& app, Tool& tool) {
       app.add_subcommand("edit", "Edits a material through a fitted model, or applies the edits of a document");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "Model to fit and edit")->check(CLI::IsMember(modelIds()));
-  command->add_option("--set", options->set, "Parameters as name=value or name=red,green,blue; repeatable")
+  command
+      ->add_option("--set", options->set,
+                   "Parameters as name=value or name=red,green,blue, choices by name or index; repeatable")
       ->type_name("NAME=VALUE")
       ->check(parsedBy(checkAssignment));
   command
-      ->add_option(
-          "--control", options->controls,
-          "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()))
+      ->add_option("--control", options->controls,
+                   "Controls as name=value, with the same meaning for every model; 1 (tint: white) changes nothing: " +
+                       namesOf(editing::artistControls()))
       ->type_name("NAME=VALUE")
       ->check(parsedBy(checkAssignment));
   command

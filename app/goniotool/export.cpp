@@ -139,7 +139,9 @@ void addExport(CLI::App& app, Tool& tool) {
   command->add_option("OUT", options->out, "Path of the files to write, without suffix")
       ->group(outputGroup)
       ->required();
-  command->add_option("--for", options->target, "Target, see below")->required()->check(CLI::IsMember(targetIds()));
+  command->add_option("--for", options->target, "Target: the program or the kind of data")
+      ->required()
+      ->check(CLI::IsMember(targetIds()));
   command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0.0, 100.0));
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));

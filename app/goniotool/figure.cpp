@@ -238,7 +238,7 @@ void addPageOptions(CLI::App& command, FigureArguments& options) {
       .add_option("--columns", options.columns,
                   "Width of the figure: one column (84 mm) or two columns (177 mm) of a page (two)")
       ->check(CLI::IsMember({"one", "two"}));
-  command.add_option("--font", options.font, "Font family (Helvetica)")->type_name("NAME");
+  command.add_option("--font", options.font, "Font family (Helvetica, or its substitute)")->type_name("NAME");
   command.add_option("--font-size", options.fontSize, "Font size, pt (7 in one column, 8 in two)");
   command.add_option("--dpi", options.dotsPerInch, "Resolution of PNG files, dots per inch (300)")
       ->check(CLI::Range(36.0, 2400.0));

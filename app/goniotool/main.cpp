@@ -14,9 +14,11 @@
 #include <thread>
 
 #include "app/goniotool/outputs.h"
+#include "app/goniotool/pages.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "app/goniotool/usage.h"
+#include "core/io/csv_text.h"
 #include "core/math/parallel.h"
 
 namespace gonio::tool {
@@ -166,6 +168,13 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
         tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addFigure,
         tool::addTrainNeural, tool::addReproduce})
     add(app, tool);
+  // For the build: prints a page of docs with its tables.
+  app.add_option_function<std::string>("--complete-page",
+                                       [&app](const std::string& file) {
+                                         std::fputs(tool::completePage(app, io::readText(file)).c_str(), stdout);
+                                         throw CLI::Success();
+                                       })
+      ->group("");
   tool::checkValues(app);
   try {
     app.parse(argc, argv);

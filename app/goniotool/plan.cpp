@@ -273,7 +273,7 @@ void addPlan(CLI::App& app, Tool& tool) {
   command
       ->add_option("--forbid", options->forbidden,
                    "Directions that the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20, degrees "
-                   "(phi: difference of the azimuths); repeatable")
+                   "(phi: difference of the azimuths): the pairs that lie in all ranges of a list; repeatable")
       ->type_name("RANGES")
       ->allow_extra_args(false)
       ->check(parsedBy(forbiddenRegion));

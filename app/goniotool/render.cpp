@@ -213,7 +213,8 @@ void addRender(CLI::App& app, Tool& tool) {
       ->type_name("NAME|FILE");
   addUpOption(*command, options->up);
   addPictureOptions(*command, options->picture);
-  command->add_flag("--effects", options->effects, "Show which effects are simulated, and why");
+  command->add_flag("--effects", options->effects,
+                    "Show which effects are simulated, and why; without --out nothing is rendered");
   command->add_flag("--effect-costs", options->costs, "Measure the time and contribution of each effect");
   command->add_flag(
       "--strategy-costs", options->strategies,

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/goniotool/pages.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
 #include "core/io/atomic_file.h"
@@ -121,10 +122,17 @@ std::string minutesText(double minutes) {
   return std::to_string(std::max(1L, std::lround(60 * minutes))) + " s";
 }
 
-/// The records; as text the table of docs/reproduction.md.
+std::string tableOfFigures(std::span<const FigureRecord* const> figures) {
+  std::string text = "| | shows | printed values | quick | full |\n|---|---|---|---|---|\n";
+  for (const FigureRecord* figure : figures)
+    text += "| " + figure->name() + " | " + std::string(figure->title) + " | " +
+            (figure->printed.empty() ? "none" : std::to_string(figure->printed.size())) + " | " +
+            minutesText(figure->quickMinutes) + " | " + minutesText(figure->fullMinutes) + " |\n";
+  return text;
+}
+
 int list(std::span<const FigureRecord* const> figures, const Tool& tool) {
   Json json = Json::array();
-  std::string text = "| | shows | printed values | quick | full |\n|---|---|---|---|---|\n";
   for (const FigureRecord* figure : figures) {
     Json printed = Json::array();
     for (const PrintedValue& value : figure->printed) printed.push_back({{"name", value.name}, {"value", value.value}});
@@ -136,11 +144,8 @@ int list(std::span<const FigureRecord* const> figures, const Tool& tool) {
                     {"differences", figure->differences},
                     {"quickMinutes", figure->quickMinutes},
                     {"fullMinutes", figure->fullMinutes}});
-    text += "| " + figure->name() + " | " + std::string(figure->title) + " | " +
-            (printed.empty() ? "none" : std::to_string(printed.size())) + " | " + minutesText(figure->quickMinutes) +
-            " | " + minutesText(figure->fullMinutes) + " |\n";
   }
-  print(tool, {{"figures", json}}, text);
+  print(tool, {{"figures", json}}, tableOfFigures(figures));
   return 0;
 }
 
@@ -195,6 +200,8 @@ double totalMinutes(bool quick) {
 }
 
 }  // namespace
+
+std::string figureTable() { return tableOfFigures(selectedFigures({})); }
 
 void addReproduce(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ReproduceArguments>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/materials.h"
+#include "app/goniotool/pages.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/mesh_file.h"
@@ -37,6 +38,21 @@ int scenes(const ScenesArguments& options, const Tool& tool) {
 }
 
 }  // namespace
+
+std::string sceneTable() {
+  const std::vector<std::shared_ptr<const rendering::RenderMaterial>> grey{rendering::diffuseMaterial(Rgb(0.5))};
+  std::string table = "| name | shows | effects of a grey material |\n|---|---|---|\n";
+  for (const std::string& name : rendering::bundledSceneNames()) {
+    const rendering::Scene scene = rendering::openScene(name, int(grey.size()));
+    const rendering::EffectPlan plan = rendering::planEffects(scene, rendering::bindMaterials(scene, grey));
+    std::string effects;
+    for (std::size_t i = 0; i < rendering::effectCount; ++i)
+      if (plan.simulates(rendering::Effect(i)))
+        effects += (effects.empty() ? "`" : ", `") + std::string(rendering::effectId(rendering::Effect(i))) + "`";
+    table += "| `" + name + "` | " + scene.description + " | " + effects + " |\n";
+  }
+  return table;
+}
 
 void addScenes(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ScenesArguments>();

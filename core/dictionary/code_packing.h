@@ -31,8 +31,9 @@ SparseCode quantised(SparseCode code);
 /// of a material resemble each other, so that a coefficient, index and value together, needs about 6 bits. (zstd at its
 /// highest level needs 40 to 85 % more bytes for the indices and values.) Per channel: uint8 dictionary, float32 step,
 /// float32 ChannelCode::highest, for both orders of the directions float32 ChannelCode::lowest, with
-/// SparseCode::hasLargestValues float32 ChannelCode::largestValue, little-endian; then the range coder's bytes
-/// (docs/formats.md). @throws Error for more than 256 dictionaries or 65535 coefficients, or an index outside the grid.
+/// SparseCode::hasLargestValues float32 ChannelCode::largestValue, little-endian; then the range coder's bytes, in the
+/// order of ChannelCoder (code_packing.cpp). @throws Error for more than 256 dictionaries or 65535 coefficients, or an
+/// index outside the grid.
 std::vector<std::byte> compressChannels(const SparseCode& code);
 /// Inverse of compressChannels(): sets the channels of `code`; set its grid and hasLargestValues before the call.
 /// @param hasLowest whether the bytes contain ChannelCode::lowest. @throws Error if there are too few or too many

@@ -30,7 +30,8 @@ namespace gonio::app {
 
 namespace {
 
-const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("getting-started.md");
+const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("getting-started.md"),
+              indexPage = QStringLiteral("index.md");
 constexpr int lastListedLevel = 2;
 
 QString read(const QString& file) {
@@ -64,15 +65,25 @@ std::vector<GuidePage> headingsOf(const QString& file) {
   return pages;
 }
 
+/// In the order in which the lists of the index name them: tutorials, how-to pages, reference, background.
+QStringList pageFiles() {
+  static const QRegularExpression name(QStringLiteral("[a-z0-9-]+\\.md"));
+  QStringList files{firstPage, indexPage};
+  for (const QString& line : read(indexPage).split('\n'))
+    if (line.startsWith(QLatin1String("- ")))
+      for (auto it = name.globalMatch(line); it.hasNext();) files << it.next().captured();
+  files += QDir(root).entryList(QDir::Files, QDir::Name);
+  files.removeDuplicates();
+  files.removeIf([](const QString& file) { return !QFile::exists(root + file); });
+  return files;
+}
+
 }  // namespace
 
 const std::vector<GuidePage>& guidePages() {
   static const std::vector<GuidePage> pages = [] {
-    QStringList files = QDir(root).entryList(QDir::Files, QDir::Name);
-    files.removeAll(firstPage);
-    files.prepend(firstPage);
     std::vector<GuidePage> all;
-    for (const QString& file : files)
+    for (const QString& file : pageFiles())
       for (const GuidePage& page : headingsOf(file)) all.push_back(page);
     return all;
   }();

@@ -12,15 +12,15 @@ namespace gonio::app {
 
 struct NamedAction;
 
-/// A page of the built-in documentation: a file of docs/, or a heading in it. The laboratory notes (docs/results) are
-/// not built in.
+/// A page of the built-in documentation: a file of docs/ (complete, see cmake/Pages.cmake), or a heading in it. The
+/// laboratory notes (docs/results) are not built in.
 struct GuidePage {
   QString file;   ///< e.g. "editor.md"
   QString title;  ///< e.g. "The editor", "Export Image"
   int level = 1;  ///< 1: the page itself
 };
 
-/// All pages, each followed by its second-level headings; the editor's page first.
+/// All pages, each followed by its second-level headings: Getting started, then in the order of the index.
 const std::vector<GuidePage>& guidePages();
 
 /// Help > Guide: the documentation, with links between its pages.

@@ -207,7 +207,7 @@ class GoniotoolRenderTest : public QObject {
 
   /// docs/scenes.md names every scene and every effect, and its example is a scene.
   void theDocumentIsTrue() {
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/scenes.md").toStdString();
+    const std::string text = completePage("scenes").toStdString();
     for (const std::string& name : bundledSceneNames())
       QVERIFY2(text.find("\n| `" + name + "` |") != std::string::npos, name.c_str());
     for (std::size_t i = 0; i < effectCount; ++i) {

@@ -83,6 +83,11 @@ inline ToolResult runTool(const QStringList& arguments, rlim_t maxFileBytes = RL
   return result;
 }
 
+/// A page of docs with its tables, as the build completes it. @param name e.g. "exports".
+inline QString completePage(const QString& name) {
+  return runTool({"--complete-page", QString(GONIO_DOCUMENTATION_DIR) + "/" + name + ".md"}).out;
+}
+
 inline ToolResult runJson(QStringList arguments) { return runTool(arguments << "--json"); }
 
 /// Small enough that a test writes and fits many.
