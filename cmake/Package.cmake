@@ -12,6 +12,7 @@ install(TARGETS goniotool RUNTIME)
 install(FILES LICENSES/Apache-2.0.txt LICENSES/GPL-3.0-or-later.txt resources/ATTRIBUTIONS.md README.md CHANGELOG.md
   ${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${GONIO_BLENDER_ADDON} DESTINATION ${CMAKE_INSTALL_DATADIR}/gonio)
 
 # install_compressed(FILE FOLDER NAME): the file as NAME.gz, without its time, as Debian wants manual pages and changelogs.
 function(install_compressed file folder name)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QStandardPaths>
@@ -26,8 +27,10 @@ using namespace gonio::geometry;
 
 constexpr int sunSamples = 64;
 
-bool runBlender(const QStringList& arguments) {
+bool runBlender(const QStringList& arguments,
+                const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
   QProcess blender;
+  blender.setProcessEnvironment(environment);
   blender.start("blender", QStringList{"--background", "--python-exit-code", "1", "--python"} + arguments);
   const bool done = blender.waitForFinished(240000) && blender.exitCode() == 0;
   if (!done) qWarning() << blender.readAll() << blender.readAllStandardError();
@@ -144,6 +147,18 @@ class BlenderTest : public QObject {
                                     *exports::principledShader(m_version).brdf(values));
     qInfo() << "Cycles against the prediction:" << snr << "dB";
     QVERIFY(snr > 50);
+  }
+
+  /// The add-on opens an exported script and a document, and shows what changes in them (check_addon.py).
+  void theAddonFollowsItsFiles() {
+    const QTemporaryDir folder;
+    QProcessEnvironment own = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"RESOURCES", "CONFIG", "SCRIPTS", "DATAFILES"}) {
+      const QString path = folder.filePath(QString(name).toLower());
+      QVERIFY(QDir().mkpath(path));
+      own.insert(QString("BLENDER_USER_%1").arg(name), path);
+    }
+    QVERIFY(runBlender({CHECK_ADDON_SCRIPT, "--", BLENDER_ADDON, GONIOTOOL, folder.path()}, own));
   }
 
   void cyclesShowsTheScene_data() {
