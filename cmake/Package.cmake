@@ -37,16 +37,22 @@ endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Editor for measured materials (BRDFs)")
-set(CPACK_PACKAGE_DESCRIPTION "Opens measured materials (MERL, RGL, UTIA and others), edits them by the sliders of fitted
-models, by factor curves and by interpolation, and exports them to renderers. With goniotool, which does the same work
-without a window.")
+set(CPACK_PACKAGE_DESCRIPTION "Opens measured materials (MERL, RGL, UTIA and others), edits them by the
+sliders of fitted models, by factor curves and by interpolation, and exports
+them to renderers. With goniotool, which does the same work without a window,
+and the Python module gonio.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Plugins that Qt loads at run time: no program links them.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6sql6-sqlite, libqt6svg6, libgl1-mesa-dri")
-# The widths of Helvetica, the font of figures.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-liberation")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-numpy, python3-matplotlib")
+if(GONIO_PYTHON_VERSION)
+  string(REGEX MATCH "[0-9]+$" minor ${GONIO_PYTHON_VERSION})
+  math(EXPR next "${minor} + 1")
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3 (>= ${GONIO_PYTHON_VERSION}), python3 (<< 3.${next}), python3-numpy")
+endif()
+# The widths of Helvetica, the font of figures; Qt's plugin for Wayland.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-liberation, qt6-wayland")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-matplotlib, blender")
 include(CPack)
