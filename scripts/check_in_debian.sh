@@ -10,12 +10,11 @@
 # Without these options: --run and --check. Each prints its time. --keep leaves the system, and uses one that is there (with
 # this commit and the builds of the last time); COMMAND runs in the clone, after the others. Needs root, and here debootstrap,
 # xvfb, x11-utils and imagemagick. The bare system is kept in ${XDG_CACHE_HOME:-~/.cache}/gonio, as are Debian's packages;
-# DEBIAN_MIRROR names another mirror.
+# DEBIAN_MIRROR names another mirror. The commands inside the system are for its own shell:
+# shellcheck disable=SC2016
 set -eu
 # shellcheck source=scripts/setup.sh
 . "$(dirname "$0")/setup.sh"
-# The commands inside the system are for its own shell.
-# shellcheck disable=SC2016
 
 case "${1:-}" in
   12) suite=bookworm ;;
