@@ -158,7 +158,9 @@ class BlenderTest : public QObject {
       QVERIFY(QDir().mkpath(path));
       own.insert(QString("BLENDER_USER_%1").arg(name), path);
     }
-    QVERIFY(runBlender({CHECK_ADDON_SCRIPT, "--", BLENDER_ADDON, GONIOTOOL, folder.path()}, own));
+    // Without goniotool, which no library of core needs, the script alone is followed.
+    const QString goniotool = QFile::exists(GONIOTOOL) ? GONIOTOOL : "";
+    QVERIFY(runBlender({CHECK_ADDON_SCRIPT, "--", BLENDER_ADDON, goniotool, folder.path()}, own));
   }
 
   void cyclesShowsTheScene_data() {
