@@ -142,7 +142,7 @@ const SliceAxes& axesOf(SliceCoordinates coordinates) {
   static constexpr std::array<SliceAxes, 3> table{
       {{"half-difference", 0, 1, 2, "θh", "θd", "φd", "Azimuth of the light about the half vector"},
        {"half-out", 1, 0, 2, "θh", "θo", "φh", "Azimuth of the half vector from the viewer"},
-       {"projected-deviation", 1, 0, 2, "|Δp|", "θr", "φ",
+       {"projected-deviation", 1, 0, 2, "|Δp|", "θR", "φ",
         "Azimuth of the projected deviation vector: 0 points from the mirror direction toward the viewer", 2}}};
   return table[std::size_t(coordinates)];
 }
