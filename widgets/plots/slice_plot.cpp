@@ -199,7 +199,7 @@ void SlicePlot::apply(const PlotStyle& style) {
   styleAxis(*m_bar->axis(), style, font());
   setLogarithmic(*m_bar->axis(), settings().logarithmic);
   m_bar->axis()->setLabel(m_largest > m_scale.max
-                              ? tr("%1; data maximum: %2").arg(valueTitle(settings()), formatNumber(m_largest))
+                              ? tr("%1\ndata maximum: %2").arg(valueTitle(settings()), formatNumber(m_largest))
                               : valueTitle(settings()));
   for (std::size_t i = 0; i < m_panels.size(); ++i) {
     const Panel& panel = m_panels[i];

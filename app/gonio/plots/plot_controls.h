@@ -25,9 +25,9 @@ namespace gonio::app {
 struct PlotChoices {
   PlotKind kind = PlotKind::polar;
   widgets::PlotSettings settings;  ///< of all plots; PlotSettings::logarithmic is ignored, see settingsOf()
-  /// Whether a kind of plot has a logarithmic value axis. Lobes have one, because on a linear axis only the highlight
-  /// is visible.
-  std::array<bool, std::size(allPlotKinds)> logarithmic{true, false, false, false, true};
+  /// Whether a kind of plot has a logarithmic value axis. Lobes and slices have one, because on a linear axis only the
+  /// highlight is visible.
+  std::array<bool, std::size(allPlotKinds)> logarithmic{true, false, true, false, true};
   plots::SectionAxis axis = plots::SectionAxis::thetaO;
   /// phi_d is the azimuth of a slice in all coordinates.
   double phiD = halfPi, thetaH = 0, planeAzimuth = 0;  ///< rad
