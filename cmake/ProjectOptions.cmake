@@ -14,6 +14,9 @@ target_compile_options(gonio_options INTERFACE
 # GCC 12 warns of its own headers: of vector code where Eigen is inlined (GCC bug 105593), of strings (105329, 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Of a std::optional in another one (GCC bug 80635).
+  target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 # GCC spends a tenth of a compilation on collecting its garbage; with this much memory it seldom does.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

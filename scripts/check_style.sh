@@ -8,12 +8,13 @@ set -eu
 . "$(dirname "$0")/setup.sh"
 cd "$root"
 
-# Another version of clang-format breaks lines elsewhere, so only the one of Debian 12 is asked.
-format_version=14
-if clang-format --version 2>/dev/null | grep -q "version $format_version\."; then
+# Another version of clang-format breaks lines elsewhere, and of clang-tidy has other checks under the same names, so only
+# those of Debian 12 are asked.
+clang_version=14
+if clang-format --version 2>/dev/null | grep -q "version $clang_version\."; then
   git ls-files -co --exclude-standard '*.cpp' '*.h' | xargs clang-format --dry-run --Werror || fail "run clang-format -i on the files above"
 else
-  printf 'gonio: clang-format %s is not installed: the layout of the sources is not checked\n' "$format_version" >&2
+  printf 'gonio: clang-format %s is not installed: the layout of the sources is not checked\n' "$clang_version" >&2
 fi
 
 base=${1:-$(git merge-base HEAD origin/main 2>/dev/null || true)}
@@ -27,7 +28,8 @@ if [ ${#changed[@]} -gt "$max_files" ]; then
   printf 'gonio: clang-tidy checks the first %d of %d changed files\n' "$max_files" ${#changed[@]} >&2
   changed=("${changed[@]:0:$max_files}")
 fi
-command -v clang-tidy >/dev/null 2>&1 || { printf 'gonio: clang-tidy is not installed: nothing is analysed\n' >&2; exit 0; }
+clang-tidy --version 2>/dev/null | grep -q "version $clang_version\." ||
+  { printf 'gonio: clang-tidy %s is not installed: nothing is analysed\n' "$clang_version" >&2; exit 0; }
 configure tidy
 # The sources include the code that moc makes.
 cmake --build "$root/build/tidy" --target gonio_widgets_moc gonio_app_moc >"$root/build/tidy-generated.log" 2>&1 ||

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# scripts/install_export_clients.sh [--npm-only] [FOLDER]: installs the programs that read exports in tests, on Debian 12
+# scripts/install_export_clients.sh [--npm-only] [FOLDER]: installs the programs that read exports in tests, on Debian 12 or 13
 # (as root; about 620 MB), and into FOLDER those of npm (62 MB), for tests with GONIO_EXPORT_CLIENTS=FOLDER/node_modules.
 # With --npm-only no packages of Debian. Tests of clients that are not installed are skipped.
 set -eu

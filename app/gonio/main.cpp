@@ -4,13 +4,13 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QSettings>
-#include <csignal>
 #include <optional>
 #include <utility>
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/theme.h"
+#include "core/support/system.h"
 #ifdef GONIO_DEVELOPMENT
 #include "app/gonio/development.h"
 #endif
@@ -81,8 +81,7 @@ void openFiles(MainWindow& first, const QStringList& files, const QList<Recovera
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file that grows beyond `ulimit -f` is an error of writing, not the end of the program.
-  std::signal(SIGXFSZ, SIG_IGN);
+  gonio::system::reportTooLargeFiles();
   printWithoutDisplay(argc, argv);
   QApplication::setApplicationName(QStringLiteral("gonio"));
   QApplication::setOrganizationName(QStringLiteral("gonio"));

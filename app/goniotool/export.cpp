@@ -22,6 +22,7 @@ struct ExportArguments {
   double snr = 40;
   int samples = exports::ExportOptions{}.samples;
   std::size_t thetaCount = 0, size = 0;
+  std::string blender;      ///< a version, such as 4.3; empty: the default
   std::string scene;        ///< a name or a file; empty: none
   std::string up = "y";     ///< of a mesh as the scene
   std::string environment;  ///< in the place of the scene's own
@@ -59,6 +60,11 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
   exports::ExportOptions options;
   options.snr = arguments.snr;
   options.samples = arguments.samples;
+  if (!arguments.blender.empty()) {
+    if (!arguments.target.starts_with("blender") && arguments.target != "principled")
+      throw UsageError("export: --blender is for blender and principled: found --for " + arguments.target);
+    options.blender = arguments.blender[0] - '0';
+  }
   if (arguments.size == 0) return options;
   if (!target.usesSize)
     throw UsageError("export: --theta-count and --size are for .bsdf files: found --for " + arguments.target +
@@ -145,6 +151,14 @@ void addExport(CLI::App& app, Tool& tool) {
   command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0.0, 100.0));
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
+  command
+      ->add_option("--blender", options->blender, "Version of Blender that the export is for, such as 3.4 or 4.3 (4)")
+      ->check(CLI::Validator(
+          [](const std::string& version) {
+            const bool known = (version[0] == '3' || version[0] == '4') && (version.size() == 1 || version[1] == '.');
+            return known ? std::string() : "found " + version + ", expected 3 or 4, or a version of these: 3.4, 4.3";
+          },
+          "VERSION"));
   command
       ->add_option("--theta-count", options->thetaCount,
                    "Number of incident polar angles of a .bsdf file; needs --size")

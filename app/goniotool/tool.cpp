@@ -2,15 +2,15 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/tool.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
+
+#include "core/support/system.h"
 
 namespace gonio::tool {
 
 void eraseProgress() {
-  if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+  if (system::standardErrorIsTerminal()) std::fputs("\r\033[K", stderr);
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -18,7 +18,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 TaskControl Tool::control(const std::string& what) const {
-  const bool isTerminal = isatty(STDERR_FILENO) != 0;
+  const bool isTerminal = system::standardErrorIsTerminal();
   if (!showProgress && !isTerminal) return {stop, {}};
   const auto last = std::make_shared<int>(-1);
   return {stop, [=](double fraction) {

@@ -24,7 +24,7 @@ struct Tool {
   bool showProgress = false;
   bool force = false;                ///< permits outputs that checkOutputs() refuses, and exports to existing files
   int threads = 0;                   ///< 0: all cores
-  std::stop_token stop;              ///< of the whole program, see StopOnSignal
+  std::stop_token stop;              ///< of the whole program, see system::StopOnSignal
   std::function<int()> run;          ///< returns the exit code
   bool keepsPartialResults = false;  ///< whether exit code 0 after a stop means the results so far
 

@@ -99,8 +99,8 @@ ExportResult makeSlices(const materials::EditedMaterial& source, const ExportOpt
   for (std::size_t i = 0; i < std::size(slicesPhiD); ++i) {
     control.throwIfStopped();
     const plots::Slice slice =
-        plots::halfDifferenceSlice(*source.shown.brdf, radians(slicesPhiD[i]), plots::ThetaHSpacing::squareRoot,
-                                   plots::CosineFactor::none, nullptr, slicesSide);
+        plots::sliceOf(*source.shown.brdf, plots::SliceCoordinates::halfDifference, radians(slicesPhiD[i]),
+                       plots::ThetaHSpacing::squareRoot, plots::CosineFactor::none, nullptr, slicesSide);
     for (int row = 0; row < slicesSide; ++row)
       for (int column = 0; column < slicesSide; ++column)
         image.at(int(i) * slicesSide + column, slicesSide - 1 - row) =

@@ -184,6 +184,8 @@ std::vector<std::byte> figurePdf(const FigureDrawing& drawing) {
       cairo_pdf_surface_create_for_stream(collect, &bytes, drawing.width * scale, drawing.height * scale));
   check(cairo_surface_status(surface.get()));
   // Without the date of the file, which would differ each time.
+  // What every journal and LaTeX reads; cairo 1.18 would write 1.7, with objects in compressed streams.
+  cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "Gonio");
   if (!drawing.title.empty())

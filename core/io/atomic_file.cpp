@@ -2,14 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <list>
 #include <utility>
 #include <vector>
@@ -22,59 +15,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// For mkstemp().
-std::string unusedName(const fs::path& target) { return target.string() + ".XXXXXX"; }
-
 /// A temporary file that is removed again unless it was renamed.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target) : target_(target), name_(unusedName(target)) {
-    descriptor_ = ::mkstemp(name_.data());
-    if (descriptor_ < 0) fail();
-  }
+  explicit TemporaryFile(const fs::path& target) : target_(target) { check(file_.createUnique(target, name_)); }
   ~TemporaryFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!renamed_) ::unlink(name_.c_str());
+    std::error_code ignored;
+    if (!renamed_ && !name_.empty()) fs::remove(name_, ignored);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  void write(std::span<const std::byte> content) {
-    while (!content.empty()) {
-      const ssize_t count = ::write(descriptor_, content.data(), content.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) fail();
-      content = content.subspan(static_cast<std::size_t>(count));
-    }
-  }
+  void write(std::span<const std::byte> content) { check(file_.writeAt(0, content)); }
 
   void flush() {
-    if (::fchmod(descriptor_, targetMode()) != 0 || ::fsync(descriptor_) != 0) fail();
-    const int closed = ::close(descriptor_);
-    descriptor_ = -1;
-    if (closed != 0) fail();
+    std::error_code error;
+    fs::permissions(name_, targetPermissions(), error);
+    check(error);
+    check(file_.flush());
+    check(file_.close());
   }
 
   void replaceTarget() {
-    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    std::error_code error;
+    fs::rename(name_, target_, error);
+    check(error);
     renamed_ = true;
   }
 
  private:
-  [[noreturn]] void fail() const { throw Error(target_.string() + ": cannot be written: " + std::strerror(errno)); }
+  void check(const std::error_code& error) const {
+    if (error) throw Error(target_.string() + ": cannot be written: " + error.message());
+  }
 
-  /// The mode of the file that is replaced, or what the process gives new files (mkstemp would leave them private).
-  mode_t targetMode() const {
-    struct stat status {};
-    if (::stat(target_.c_str(), &status) == 0) return status.st_mode & 0777;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666 & ~mask;
+  /// Those of the file that is replaced, or what the process gives new files: this one is private.
+  fs::perms targetPermissions() const {
+    std::error_code error;
+    const fs::file_status status = fs::status(target_, error);
+    return fs::exists(status) ? status.permissions() & fs::perms::all : system::permissionsOfNewFiles();
   }
 
   fs::path target_;
-  std::string name_;
-  int descriptor_ = -1;
+  fs::path name_;
+  system::File file_;
   bool renamed_ = false;
 };
 
@@ -83,18 +66,19 @@ class TemporaryFile {
 class OldFile {
  public:
   explicit OldFile(fs::path target) : target_(std::move(target)) {
-    struct stat status {};
-    existed_ = ::lstat(target_.c_str(), &status) == 0;
+    std::error_code failed;
+    existed_ = fs::exists(fs::symlink_status(target_, failed));
     if (!existed_) return;
-    std::string name = unusedName(target_);
-    const int descriptor = ::mkstemp(name.data());
-    if (descriptor < 0) return;
-    ::close(descriptor);
-    ::unlink(name.c_str());
-    if (::link(target_.c_str(), name.c_str()) == 0) secondName_ = name;
+    system::File unused;
+    fs::path name;
+    if (unused.createUnique(target_, name)) return;
+    system::removeWhileOpen(name);
+    fs::create_hard_link(target_, name, failed);
+    if (!failed) secondName_ = name;
   }
   ~OldFile() {
-    if (!secondName_.empty()) ::unlink(secondName_.c_str());
+    std::error_code ignored;
+    if (!secondName_.empty()) fs::remove(secondName_, ignored);
   }
   OldFile(const OldFile&) = delete;
   OldFile& operator=(const OldFile&) = delete;
@@ -102,8 +86,11 @@ class OldFile {
   const fs::path& target() const { return target_; }
   /// Undoes the replacement. @return false if that is impossible.
   bool restore() {
-    if (!existed_) return ::unlink(target_.c_str()) == 0;
-    if (secondName_.empty() || ::rename(secondName_.c_str(), target_.c_str()) != 0) return false;
+    std::error_code error;
+    if (!existed_) return fs::remove(target_, error);
+    if (secondName_.empty()) return false;
+    fs::rename(secondName_, target_, error);
+    if (error) return false;
     secondName_.clear();
     return true;
   }
@@ -111,16 +98,8 @@ class OldFile {
  private:
   fs::path target_;
   bool existed_ = false;
-  std::string secondName_;
+  fs::path secondName_;
 };
-
-/// Makes the rename itself survive a power failure. Not every file system can: no error.
-void flushFolder(const fs::path& folder) {
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
 
 /// The file that is replaced: through a link the one that it points to, not the link.
 fs::path targetOf(const fs::path& path) {
@@ -180,7 +159,7 @@ void writeFilesAtomically(std::span<const FileContent> files) {
     restoreAll(replaced, error);
     throw;
   }
-  for (const fs::path& target : targets) flushFolder(target.parent_path());
+  for (const fs::path& target : targets) system::flushFolder(target.parent_path());
 }
 
 void writeFileAtomically(const fs::path& path, const std::string& text) {
@@ -194,39 +173,28 @@ ScratchFile::ScratchFile(const std::filesystem::path& folder, std::uint64_t byte
     throw Error(folder.string() + ": a temporary file of " + std::to_string(bytes / 1'000'000) +
                 " MB is needed here, and the folder has " + std::to_string(space.available / 1'000'000) +
                 " MB of free space; set the environment variable TMPDIR to use another folder");
-  std::string name = (folder / "gonio.XXXXXX").string();
-  descriptor_ = ::mkstemp(name.data());
-  if (descriptor_ < 0) fail("cannot be created");
-  ::unlink(name.c_str());
+  std::filesystem::path name;
+  if (const auto error = file_.createUnique(folder / "gonio", name)) fail("cannot be created", error);
+  system::removeWhileOpen(name);
 }
 
-ScratchFile::~ScratchFile() { ::close(descriptor_); }
-
 void ScratchFile::write(std::uint64_t offset, std::span<const float> values) {
-  auto bytes = std::as_bytes(values);
-  while (!bytes.empty()) {
-    const ssize_t count = ::pwrite(descriptor_, bytes.data(), bytes.size(), off_t(offset));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("cannot be written");
-    bytes = bytes.subspan(std::size_t(count));
-    offset += std::uint64_t(count);
-  }
+  if (const auto error = file_.writeAt(offset, std::as_bytes(values))) fail("cannot be written", error);
 }
 
 void ScratchFile::read(std::uint64_t offset, std::span<float> values) const {
   auto bytes = std::as_writable_bytes(values);
   while (!bytes.empty()) {
-    const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), off_t(offset));
-    if (count < 0 && errno == EINTR) continue;
-    if (count == 0) errno = ENODATA;
-    if (count <= 0) fail("cannot be read");
-    bytes = bytes.subspan(std::size_t(count));
-    offset += std::uint64_t(count);
+    std::size_t count = 0;
+    if (const auto error = file_.readAt(offset, bytes, count)) fail("cannot be read", error);
+    if (count == 0) fail("cannot be read", std::make_error_code(std::errc::no_message_available));
+    bytes = bytes.subspan(count);
+    offset += count;
   }
 }
 
-void ScratchFile::fail(const char* what) const {
-  throw Error(folder_.string() + ": a temporary file " + what + ": " + std::strerror(errno));
+void ScratchFile::fail(const char* what, const std::error_code& reason) const {
+  throw Error(folder_.string() + ": a temporary file " + what + ": " + reason.message());
 }
 
 }  // namespace gonio::io

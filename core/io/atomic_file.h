@@ -7,6 +7,9 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <system_error>
+
+#include "core/support/system.h"
 
 namespace gonio::io {
 
@@ -42,9 +45,6 @@ class ScratchFile {
   /// @throws Error that names the folder if no file can be created there, or if its file system has less than `bytes`
   /// free.
   ScratchFile(const std::filesystem::path& folder, std::uint64_t bytes);
-  ~ScratchFile();
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
 
   /// @throws Error that names the folder if the disk is full or fails.
   void write(std::uint64_t offset, std::span<const float> values);
@@ -52,10 +52,10 @@ class ScratchFile {
   void read(std::uint64_t offset, std::span<float> values) const;
 
  private:
-  [[noreturn]] void fail(const char* what) const;
+  [[noreturn]] void fail(const char* what, const std::error_code& reason) const;
 
   std::filesystem::path folder_;
-  int descriptor_ = -1;
+  system::File file_;
 };
 
 }  // namespace gonio::io

@@ -2,11 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/byte_source.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <utility>
 
@@ -29,30 +25,21 @@ std::vector<std::byte> ByteSource::readAll(std::uint64_t maxBytes) const {
 
 FileSource::FileSource(const std::filesystem::path& path, std::stop_token stop) : stop_(std::move(stop)) {
   if (path.native().find('\0') != std::string::npos) throw Error("found a NUL character in the path");
-  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor_ < 0) throw Error(std::string("cannot be opened: ") + std::strerror(errno));
-  struct stat status {};
-  const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-  if (!regular) {
-    ::close(descriptor_);
-    throw Error("found a folder, a device, a pipe or a socket, expected a file");
-  }
-  size_ = static_cast<std::uint64_t>(status.st_size);
+  if (const auto error = file_.openForReading(path)) throw Error("cannot be opened: " + error.message());
+  if (!file_.isRegular(size_)) throw Error("found a folder, a device, a pipe or a socket, expected a file");
 }
-
-FileSource::~FileSource() { ::close(descriptor_); }
 
 void FileSource::readAt(std::uint64_t offset, std::span<std::byte> target) const {
   std::size_t done = 0;
   while (done < target.size()) {
     if (stop_.stop_requested()) throw Cancelled();
     const std::size_t piece = std::min(target.size() - done, maxPieceBytes);
-    const ssize_t count = ::pread(descriptor_, target.data() + done, piece, static_cast<off_t>(offset + done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw Error(std::string("cannot be read: ") + std::strerror(errno));
+    std::size_t count = 0;
+    if (const auto error = file_.readAt(offset + done, target.subspan(done, piece), count))
+      throw Error("cannot be read: " + error.message());
     if (count == 0)
       throw Error("ends at byte " + std::to_string(offset + done) + ", expected " + std::to_string(size_) + " bytes");
-    done += static_cast<std::size_t>(count);
+    done += count;
   }
 }
 

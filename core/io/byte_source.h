@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/support/error.h"
+#include "core/support/system.h"
 
 namespace gonio::io {
 
@@ -53,15 +54,12 @@ class FileSource final : public ByteSource {
   /// @param stop makes readAt() throw Cancelled, within 64 MiB.
   /// @throws Error that states the system's reason; also for folders, devices, pipes and sockets, without waiting.
   explicit FileSource(const std::filesystem::path& path, std::stop_token stop = {});
-  ~FileSource() override;
-  FileSource(const FileSource&) = delete;
-  FileSource& operator=(const FileSource&) = delete;
 
   std::uint64_t size() const override { return size_; }
   void readAt(std::uint64_t offset, std::span<std::byte> target) const override;
 
  private:
-  int descriptor_ = -1;
+  system::File file_;
   std::uint64_t size_ = 0;
   std::stop_token stop_;
 };

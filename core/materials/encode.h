@@ -18,6 +18,7 @@ struct EncodeOptions {
   std::optional<HalfDifferenceGrid> grid = {};  ///< of MERL files of materials that are not such tables; empty: the
                                                 ///< usual one
   int pictureSize = 128, samples = 32;          ///< of the pictures that measure the SNR
+  int blender = 4;                              ///< exports for Blender: 3 or 4, the series whose shading is fitted
 };
 
 /// A file in memory, and what it lost.

@@ -7,17 +7,14 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "core/support/system.h"
 
 namespace gonio {
 
@@ -96,11 +93,7 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
 }
 
 void runAtLowPriority(const std::function<void()>& work) {
-#ifdef __linux__
-  // A quarter of the time of a normal thread: with idle priority the work would never run on a busy machine.
-  constexpr int niceness = 5;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
-#endif
+  system::lowerThreadPriority();
   tbb::task_arena(1).execute(work);
 }
 

@@ -3,9 +3,11 @@
 #include "core/plots/plotted_values.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "core/coordinates/coordinate_systems.h"
 #include "core/coordinates/half_difference.h"
 #include "core/math/parallel.h"
 #include "core/sampling/directional_albedo.h"
@@ -136,17 +138,36 @@ double thetaHAt(ThetaHSpacing spacing, double fraction) {
   return halfPi * (spacing == ThetaHSpacing::linear ? fraction : fraction * fraction);
 }
 
-double Slice::thetaH(int column) const { return thetaHAt(spacing, (column + 0.5) / width); }
-double Slice::thetaD(int row) const { return halfPi * (row + 0.5) / height; }
+const SliceAxes& axesOf(SliceCoordinates coordinates) {
+  static constexpr std::array<SliceAxes, 3> table{
+      {{"half-difference", 0, 1, 2, "θh", "θd", "φd", "Azimuth of the light about the half vector"},
+       {"half-out", 1, 0, 2, "θh", "θo", "φh", "Azimuth of the half vector from the viewer"},
+       {"projected-deviation", 1, 0, 2, "|Δp|", "θR", "φ",
+        "Azimuth of the projected deviation vector: 0 points from the mirror direction toward the viewer", 2}}};
+  return table[std::size_t(coordinates)];
+}
 
-Slice halfDifferenceSlice(const Brdf& brdf, double phiD, ThetaHSpacing spacing, CosineFactor cosine,
-                          const TabulatedBrdf* coverage, int size) {
-  Slice slice{size, size, spacing, phiD, {}};
+double Slice::across(int column) const {
+  return axesOf(coordinates).acrossEnd / halfPi * thetaHAt(spacing, (column + 0.5) / width);
+}
+double Slice::up(int row) const { return halfPi * (row + 0.5) / height; }
+
+Slice sliceOf(const Brdf& brdf, SliceCoordinates coordinates, double azimuth, ThetaHSpacing spacing,
+              CosineFactor cosine, const TabulatedBrdf* coverage, int size) {
+  Slice slice{size, size, coordinates, spacing, azimuth, {}};
+  const SliceAxes& axes = axesOf(coordinates);
+  const CoordinateSystem& system = coordinateSystemNamed(axes.system);
+  constexpr DirectionPair below{{0, 0, -1}, {0, 0, -1}};
   std::vector<DirectionPair> pairs;
   pairs.reserve(std::size_t(size) * std::size_t(size));
+  std::array<double, 3> values{};
+  values[axes.azimuth] = azimuth;
   for (int row = 0; row < size; ++row)
-    for (int column = 0; column < size; ++column)
-      pairs.push_back(fromHalfDifference(slice.thetaH(column), slice.thetaD(row), phiD));
+    for (int column = 0; column < size; ++column) {
+      values[axes.across] = slice.across(column);
+      values[axes.up] = slice.up(row);
+      pairs.push_back(system.from(values).value_or(below));
+    }
   slice.cells = evaluatePlotted(brdf, pairs, cosine, coverage);
   return slice;
 }

@@ -87,23 +87,40 @@ double valueAt(const Curve& curve, double angle, Channel channel);
 /// The lobe in the plane of incidence: the section over theta_o at planeAzimuth = 0.
 Curve polarLobe(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage = nullptr);
 
-/// Spacing of theta_h in a slice.
+/// Spacing of the horizontal axis of a slice, as of theta_h; |Dp| is spaced likewise.
 enum class ThetaHSpacing {
   linear,     ///< uniform
   squareRoot  ///< theta_h = u^2 pi/2 for u in [0, 1]: as in MERL tables, which magnifies the highlight
 };
 
-/// The plane (theta_h, theta_d) of half-difference space for one phi_d, as an image.
-struct Slice {
-  int width = 0;   ///< along theta_h
-  int height = 0;  ///< along theta_d
-  ThetaHSpacing spacing = ThetaHSpacing::squareRoot;
-  double phiD = halfPi;  ///< rad
-  PlottedValues cells;   ///< theta_h runs fastest
+/// The coordinates of a slice. All are those of pairs whose azimuth is fixed, with the mirror direction at the left
+/// edge, where the vertical coordinate is the angle of incidence.
+enum class SliceCoordinates {
+  halfDifference,     ///< theta_h, theta_d for a phi_d
+  halfOut,            ///< theta_h, theta_o for a phi_h
+  projectedDeviation  ///< |Dp|, theta_r for a phi
+};
 
-  /// Angles at the centre of a column or row, rad.
-  double thetaH(int column) const;
-  double thetaD(int row) const;
+/// A row for each of SliceCoordinates: the columns of its CoordinateSystem, and their symbols.
+struct SliceAxes {
+  std::string_view system;          ///< CoordinateSystem::id
+  std::size_t across, up, azimuth;  ///< indices of CoordinateSystem::columns
+  const char *acrossSymbol, *upSymbol, *azimuthSymbol, *azimuthMeaning;
+  double acrossEnd = halfPi;  ///< largest value of the horizontal axis: rad, or |Dp|
+};
+const SliceAxes& axesOf(SliceCoordinates coordinates);
+
+/// The values of a BRDF over two coordinates for one azimuth, as an image.
+struct Slice {
+  int width = 0, height = 0;
+  SliceCoordinates coordinates = SliceCoordinates::halfDifference;
+  ThetaHSpacing spacing = ThetaHSpacing::squareRoot;  ///< of the horizontal axis
+  double azimuth = halfPi;                            ///< rad
+  PlottedValues cells;                                ///< columns run fastest
+
+  /// Coordinates at the centre of a column (rad, or |Dp|) or row (rad).
+  double across(int column) const;
+  double up(int row) const;
   std::size_t index(int column, int row) const { return std::size_t(row) * std::size_t(width) + std::size_t(column); }
 };
 
@@ -111,9 +128,10 @@ struct Slice {
 double thetaHFraction(ThetaHSpacing spacing, double thetaH);
 double thetaHAt(ThetaHSpacing spacing, double fraction);
 
-/// A slice of `size` x `size` cells (90 in MERL tables). Takes a few ms. @param coverage as in evaluatePlotted().
-Slice halfDifferenceSlice(const Brdf& brdf, double phiD, ThetaHSpacing spacing, CosineFactor cosine,
-                          const TabulatedBrdf* coverage = nullptr, int size = 90);
+/// A slice of `size` x `size` cells (90 in MERL tables). Takes a few ms. Of an anisotropic material it depends on where
+/// the azimuth 0 is: at the half vector (half-difference) or the viewer. @param coverage as in evaluatePlotted().
+Slice sliceOf(const Brdf& brdf, SliceCoordinates coordinates, double azimuth, ThetaHSpacing spacing,
+              CosineFactor cosine, const TabulatedBrdf* coverage = nullptr, int size = 90);
 
 /// Directional albedo (the integral of f cos theta_i over the light's hemisphere, without unit) for viewers at azimuth
 /// 0 and polar angles from 0 to 89 degrees, denser toward grazing. Directions without data count as 0. Parallel,

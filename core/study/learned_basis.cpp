@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <optional>
 
 #include "core/documents/open_material.h"
@@ -12,6 +11,7 @@
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/study/training_files.h"
+#include "core/support/system.h"
 
 namespace gonio::study {
 
@@ -130,13 +130,7 @@ fs::path keep(const std::string& key, const std::string& digest, std::span<const
 }  // namespace
 
 fs::path keptBasesFolder() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return fs::path(value ? value : "");
-  };
-  // Relative paths are invalid by the XDG specification.
-  fs::path cache = variable("XDG_CACHE_HOME");
-  if (!cache.is_absolute()) cache = variable("HOME").empty() ? fs::path() : variable("HOME") / ".cache";
+  const fs::path cache = system::cacheFolder();
   return cache.empty() ? fs::path() : cache / "gonio" / "bases";
 }
 

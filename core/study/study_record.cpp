@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <random>
 #include <thread>
@@ -15,6 +13,7 @@
 #include "core/math/parallel.h"
 #include "core/metrics/brdf_metric.h"
 #include "core/rendering/render_picture.h"
+#include "core/support/system.h"
 
 namespace gonio::study {
 
@@ -39,34 +38,14 @@ std::vector<DirectionPair> randomPairs() {
   return pairs;
 }
 
-/// Of the processor for this thread, so that other work on the machine does not count; where the system does not report
-/// it it, of the clock on the wall.
-double threadSeconds() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-  timespec time{};
-  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0) return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-#endif
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 struct CostText {
   std::string_view name, unit;
 };
 constexpr std::array<CostText, std::size(allCosts)> texts{
     {{"evaluation", "ns"}, {"frame", "ms"}, {"size", "B"}, {"encoding", "s"}}};
 
-std::string processorName() {
-  std::ifstream facts("/proc/cpuinfo");
-  for (std::string line; std::getline(facts, line);)
-    if (line.starts_with("model name"))
-      if (const auto at = line.find(": "); at != std::string::npos) return line.substr(at + 2);
-  return "unknown processor";
-}
-
 std::string dateNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
+  const std::tm utc = system::utc(std::time(nullptr));
   char text[32];
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
@@ -128,9 +107,9 @@ EvaluationTime measureEvaluation(const Brdf& brdf, const TaskControl& control) {
   double total = 0;
   while (runs.size() < minRuns || (runs.size() < maxRuns && total < enoughTimedSeconds)) {
     control.throwIfStopped();
-    const double start = threadSeconds();
+    const double start = system::threadSeconds();
     brdf.evaluate(pairs, values);
-    const double seconds = threadSeconds() - start;
+    const double seconds = system::threadSeconds() - start;
     runs.push_back(seconds * 1e9 / double(pairCount));
     total += seconds;
   }
@@ -156,7 +135,7 @@ std::string_view costUnit(Cost cost) { return texts[std::size_t(cost)].unit; }
 
 MachineFacts machineFacts() {
   MachineFacts facts = buildFacts();
-  facts.processor = processorName();
+  facts.processor = system::processorName();
   facts.cores = int(std::thread::hardware_concurrency());
   facts.threads = threadCount();
   facts.date = dateNow();

@@ -189,9 +189,10 @@ const exports::ExportTarget& targetOf(const std::string& id) {
 
 py::dict exportMaterial(const PyMaterial& material, const std::string& path, const std::string& id, double snr,
                         std::size_t thetaCount, std::size_t size, const std::string& sceneName, const std::string& up,
-                        const std::string& environment, bool overwrite, const py::object& progress) {
+                        const std::string& environment, bool overwrite, const py::object& progress, int blender) {
   const exports::ExportTarget& target = targetOf(id);
-  exports::ExportOptions options{.snr = snr};
+  if (blender != 3 && blender != 4) throw Error("blender: found " + std::to_string(blender) + ", expected 3 or 4");
+  exports::ExportOptions options{.snr = snr, .blender = blender};
   if (thetaCount > 0) options.size = {thetaCount, size};
   if (options.size && !target.usesSize) throw Error("grid: only targets that write .bsdf files accept it, found " + id);
   if (!sceneName.empty() && !target.scene) throw Error("scene: the target " + id + " cannot write scenes");

@@ -251,7 +251,7 @@ class Export:
 
 def export(material: Material, path: PathLike, target: str, snr: float = 40.0, grid: Optional[tuple[int, int]] = None,
            scene: PathLike = "", environment: PathLike = "", overwrite: bool = False, progress: Progress = None,
-           up: str = "y") -> Export:
+           up: str = "y", blender: int = 4) -> Export:
     """Writes a material, with its edits, as files for a renderer. Takes a few seconds.
 
     Args:
@@ -266,6 +266,7 @@ def export(material: Material, path: PathLike, target: str, snr: float = 40.0, g
         overwrite: Whether existing files are replaced.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
         up: Axis of a mesh as the scene that points up, as in gonio.render().
+        blender: Series of Blender, 3 or 4, whose shading the targets "blender" and "principled" fit.
 
     Raises:
         Error: The target or scene is unknown, a file exists and `overwrite` is False, or a file cannot be written. Then no
@@ -273,7 +274,7 @@ def export(material: Material, path: PathLike, target: str, snr: float = 40.0, g
     """
     theta_count, side = grid or (0, 0)
     row = _core.export(material._handle, os.fsencode(path), target, snr, theta_count, side, os.fsencode(scene), up,
-                       os.fsencode(environment), overwrite, progress)
+                       os.fsencode(environment), overwrite, progress, blender)
     if row["material"] is not None:
         row["material"] = Material(row["material"])
     return Export(**row)

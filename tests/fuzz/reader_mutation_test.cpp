@@ -22,19 +22,20 @@ namespace {
 std::atomic<std::size_t> largestRequest = 0;
 }  // namespace
 
-// The thread sanitizer brings operators of its own.
+// The thread sanitizer brings operators of its own. Where GCC 14 inlines one of a pair, it warns that the other does
+// not match.
 #ifndef GONIO_THREAD_SANITIZER
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+[[gnu::noinline]] void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   std::size_t known = largestRequest;
   while (bytes > known && !largestRequest.compare_exchange_weak(known, bytes)) continue;
   return std::malloc(bytes ? bytes : 1);
 }
-void* operator new(std::size_t bytes) {
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
   if (void* memory = operator new(bytes, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 #endif
 
 Q_DECLARE_METATYPE(const gonio::materials::MaterialFormat*)

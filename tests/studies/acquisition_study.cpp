@@ -145,10 +145,10 @@ class HeldOut {
   explicit HeldOut(const fs::path& file)
       : name_(materialName(file)),
         collection_(collectionOf(file)),
-        table_(meanOfOrders(materials::readMaterial(file).tabulated())),
-        comparison_(*table_, picture) {}
+        brdf_(materials::readMaterial(file).brdf),
+        comparison_(*brdf_, picture) {}
 
-  const TabulatedBrdf& table() const { return *table_; }
+  const Brdf& brdf() const { return *brdf_; }
   AcquisitionRecord caseOf(const std::string& selection, const std::string& way, int samples,
                            std::uint64_t seed) const {
     return {name_, collection_, selection, way, samples, seed, 0, 0, 0};
@@ -156,13 +156,13 @@ class HeldOut {
   void judge(AcquisitionRecord& record, const Brdf& found) const {
     using metrics::BrdfMetric;
     record.rendered = comparison_.signalToNoiseRatio(comparison_.render(found));
-    record.linear = std::pow(metrics::brdfError(BrdfMetric::rms, *table_, found), -2);
-    record.logRelative = std::pow(metrics::brdfError(BrdfMetric::logRelative, *table_, found), -2);
+    record.linear = std::pow(metrics::brdfError(BrdfMetric::rms, *brdf_, found), -2);
+    record.logRelative = std::pow(metrics::brdfError(BrdfMetric::logRelative, *brdf_, found), -2);
   }
 
  private:
   std::string name_, collection_;
-  std::shared_ptr<const TabulatedBrdf> table_;
+  std::shared_ptr<const Brdf> brdf_;  ///< in its native form
   rendering::RenderedComparison comparison_;
 };
 
@@ -198,7 +198,7 @@ class Trial {
     if (!selection.method) {
       AcquisitionRecord record = material.caseOf(selection.id, "two-arms", samples, 0);
       if (records_.contains(record)) return;
-      const auto curves = acquisition::measureFactors(material.table(), {.axes = selection.axes,
+      const auto curves = acquisition::measureFactors(material.brdf(), {.axes = selection.axes,
                                                                          .fixedAngle = 1,
                                                                          .angles = (samples + 1) / 2,
                                                                          .distances = std::max(2, samples / 2)});
@@ -212,7 +212,7 @@ class Trial {
         acquisition::ReconstructionOptions options = way.options;
         if (options.components == 0) options.components = int(plan.samples.size());
         const auto found =
-            acquisition::reconstruct(basis(), plan, acquisition::measure(material.table(), plan), options);
+            acquisition::reconstruct(basis(), plan, acquisition::measure(material.brdf(), plan), options);
         add(material, record, *found.table);
       }
   }

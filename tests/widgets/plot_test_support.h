@@ -55,7 +55,8 @@ inline std::unique_ptr<CartesianPlot> cartesianPlot(plots::SectionAxis axis = pl
 inline std::unique_ptr<SlicePlot> slicePlot() {
   auto plot = std::make_unique<SlicePlot>();
   plot->setSeries(twoSeries([](const Brdf& brdf) {
-    return plots::halfDifferenceSlice(brdf, 0.3, plots::ThetaHSpacing::squareRoot, settings.cosine);
+    return plots::sliceOf(brdf, plots::SliceCoordinates::halfDifference, 0.3, plots::ThetaHSpacing::squareRoot,
+                          settings.cosine);
   }));
   return shown(std::move(plot));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/coordinates/coordinate_systems.h"
 #include "core/plots/plotted_values.h"
 #include "core/rendering/error_maps.h"
 #include "widgets/charts/custom_plot_style.h"
@@ -39,16 +40,27 @@ QCPColorGradient plainGradient(const QColor& colour) {
   return gradient;
 }
 
-/// Labels in degrees of theta_h on an axis of fractions (plots::thetaHFraction()).
-QSharedPointer<QCPAxisTicker> thetaHTicker(plots::ThetaHSpacing spacing) {
+bool isAngle(const plots::SliceAxes& axes) { return coordinateSystemNamed(axes.system).columns[axes.across].isAngle; }
+
+/// A value of the horizontal axis as a fraction of it.
+double acrossFraction(const plots::Slice& slice, double across) {
+  return plots::thetaHFraction(slice.spacing, halfPi * across / plots::axesOf(slice.coordinates).acrossEnd);
+}
+
+/// Labels on the horizontal axis, in degrees where it is an angle; its keys are fractions.
+QSharedPointer<QCPAxisTicker> acrossTicker(const plots::Slice& slice) {
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-  const QList<int> marks = spacing == plots::ThetaHSpacing::linear ? QList<int>{0, 15, 30, 45, 60, 75, 90}
-                                                                   : QList<int>{0, 1, 5, 10, 20, 30, 45, 60, 90};
-  for (const int mark : marks) ticker->addTick(plots::thetaHFraction(spacing, radians(mark)), QString::number(mark));
+  const bool linear = slice.spacing == plots::ThetaHSpacing::linear, angle = isAngle(plots::axesOf(slice.coordinates));
+  const QList<double> marks =
+      angle    ? linear ? QList<double>{0, 15, 30, 45, 60, 75, 90} : QList<double>{0, 1, 5, 10, 20, 30, 45, 60, 90}
+         : linear ? QList<double>{0, 0.5, 1, 1.5, 2}
+               : QList<double>{0, 0.02, 0.1, 0.25, 0.5, 1, 1.5, 2};
+  for (const double mark : marks)
+    ticker->addTick(acrossFraction(slice, angle ? radians(mark) : mark), QString::number(mark));
   return ticker;
 }
 
-QSharedPointer<QCPAxisTicker> thetaDTicker() {
+QSharedPointer<QCPAxisTicker> upTicker() {
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   for (int mark = 0; mark <= 90; mark += 15) ticker->addTick(mark, QString::number(mark));
   return ticker;
@@ -69,7 +81,7 @@ double largestOf(const std::vector<double>& values) {
 
 SlicePlot::SlicePlot(QWidget* parent)
     : Plot(tr("Slice"), parent), m_chart(new QCustomPlot(this)), m_margins(new QCPMarginGroup(m_chart)) {
-  setAccessibleDescription(tr("BRDF values vs. half angle and difference angle, in false colour."));
+  setAccessibleDescription(tr("BRDF values over two coordinates, in false colour."));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_chart);
@@ -162,7 +174,7 @@ void SlicePlot::refresh() {
 }
 
 void SlicePlot::fillPanel(const Panel& panel, const plots::Slice& slice) {
-  // Keys are fractions of the theta_h axis, values degrees of theta_d, both at the middle of cells.
+  // Keys are fractions of the horizontal axis, values degrees of the vertical one, both at the middle of cells.
   const QCPRange across(0.5 / slice.width, 1 - 0.5 / slice.width);
   const QCPRange up(45.0 / slice.height, 90 - 45.0 / slice.height);
   for (QCPColorMap* map : {panel.values, panel.notMeasured}) {
@@ -187,7 +199,7 @@ void SlicePlot::apply(const PlotStyle& style) {
   styleAxis(*m_bar->axis(), style, font());
   setLogarithmic(*m_bar->axis(), settings().logarithmic);
   m_bar->axis()->setLabel(m_largest > m_scale.max
-                              ? tr("%1; data maximum: %2").arg(valueTitle(settings()), formatNumber(m_largest))
+                              ? tr("%1\ndata maximum: %2").arg(valueTitle(settings()), formatNumber(m_largest))
                               : valueTitle(settings()));
   for (std::size_t i = 0; i < m_panels.size(); ++i) {
     const Panel& panel = m_panels[i];
@@ -198,10 +210,15 @@ void SlicePlot::apply(const PlotStyle& style) {
     panel.rect->setBackground(QBrush(style.grid, Qt::BDiagPattern));
     panel.notMeasured->setGradient(plainGradient(style.grid));
     panel.notMeasured->setDataRange(QCPRange(0, 2));
-    panel.rect->axis(QCPAxis::atBottom)->setTicker(thetaHTicker(slice.spacing));
-    panel.rect->axis(QCPAxis::atBottom)->setLabel(tr("θh [°], φd = %1").arg(degreesText(slice.phiD)));
-    panel.rect->axis(QCPAxis::atLeft)->setTicker(thetaDTicker());
-    panel.rect->axis(QCPAxis::atLeft)->setLabel(tr("θd [°]"));
+    const plots::SliceAxes& axes = plots::axesOf(slice.coordinates);
+    const QString unit = isAngle(axes) ? QStringLiteral(" [°]") : QString();
+    panel.rect->axis(QCPAxis::atBottom)->setTicker(acrossTicker(slice));
+    panel.rect->axis(QCPAxis::atBottom)
+        ->setLabel(QStringLiteral("%1%2, %3 = %4")
+                       .arg(QString::fromUtf8(axes.acrossSymbol), unit, QString::fromUtf8(axes.azimuthSymbol),
+                            degreesText(slice.azimuth)));
+    panel.rect->axis(QCPAxis::atLeft)->setTicker(upTicker());
+    panel.rect->axis(QCPAxis::atLeft)->setLabel(QString::fromUtf8(axes.upSymbol) + QStringLiteral(" [°]"));
     panel.line->setPen(QPen(style.accent, 1.5, Qt::DashLine));
     panel.line->point1->setCoords(0, degrees(settings().thetaI));
     panel.line->point2->setCoords(1, degrees(settings().thetaI));
@@ -242,12 +259,18 @@ io::CsvTable SlicePlot::table() const {
   table.comments.push_back("values: " + valueForCsv(settings()) + "; empty: below the horizon or not measured");
   if (m_series.empty()) return table;
   const plots::Slice& first = m_series.front().data;
-  table.comments.push_back(angleForCsv("phi_d", first.phiD));
-  table.columns = {{"theta_h [degrees]", {}}, {"theta_d [degrees]", {}}};
+  const plots::SliceAxes& axes = plots::axesOf(first.coordinates);
+  const std::vector<CoordinateColumn>& columns = coordinateSystemNamed(axes.system).columns;
+  const auto title = [&](std::size_t column) {
+    return std::string(columns[column].name) + (columns[column].isAngle ? " [degrees]" : "");
+  };
+  const double unit = isAngle(axes) ? degrees(1) : 1;
+  table.comments.push_back(angleForCsv(std::string(columns[axes.azimuth].name), first.azimuth));
+  table.columns = {{title(axes.across), {}}, {title(axes.up), {}}};
   for (int row = 0; row < first.height; ++row)
     for (int column = 0; column < first.width; ++column) {
-      table.columns[0].values.push_back(degrees(first.thetaH(column)));
-      table.columns[1].values.push_back(degrees(first.thetaD(row)));
+      table.columns[0].values.push_back(unit * first.across(column));
+      table.columns[1].values.push_back(degrees(first.up(row)));
     }
   for (const auto& series : m_series) {
     io::CsvColumn column{series.name.toStdString() + " [1/sr]", {}};
@@ -258,11 +281,10 @@ io::CsvTable SlicePlot::table() const {
   return table;
 }
 
-QPointF SlicePlot::position(std::size_t slice, double thetaH, double thetaD) const {
+QPointF SlicePlot::position(std::size_t slice, double across, double up) const {
   const Panel& panel = m_panels[slice];
-  return {
-      panel.rect->axis(QCPAxis::atBottom)->coordToPixel(plots::thetaHFraction(m_series[slice].data.spacing, thetaH)),
-      panel.rect->axis(QCPAxis::atLeft)->coordToPixel(degrees(thetaD))};
+  return {panel.rect->axis(QCPAxis::atBottom)->coordToPixel(acrossFraction(m_series[slice].data, across)),
+          panel.rect->axis(QCPAxis::atLeft)->coordToPixel(degrees(up))};
 }
 
 std::optional<std::size_t> SlicePlot::panelAt(const QPointF& position) const {
@@ -271,7 +293,7 @@ std::optional<std::size_t> SlicePlot::panelAt(const QPointF& position) const {
   return std::nullopt;
 }
 
-double SlicePlot::thetaDAt(const Panel& panel, const QPointF& position) const {
+double SlicePlot::upAt(const Panel& panel, const QPointF& position) const {
   return radians(panel.rect->axis(QCPAxis::atLeft)->pixelToCoord(position.y()));
 }
 
@@ -286,10 +308,15 @@ void SlicePlot::pointerMoved(const QPointF& at) {
   if (!under) return showReadout({});
   const Panel& panel = m_panels[*under];
   const plots::Slice& slice = m_series[*under].data;
-  const double fraction = panel.rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x()), thetaD = thetaDAt(panel, at);
-  const int column = int(fraction * slice.width), row = int(thetaD / halfPi * slice.height);
-  if (fraction < 0 || thetaD < 0 || column >= slice.width || row >= slice.height) return showReadout({});
-  QStringList lines{tr("θh = %1, θd = %2").arg(degreesText(slice.thetaH(column)), degreesText(slice.thetaD(row)))};
+  const double fraction = panel.rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x()), up = upAt(panel, at);
+  const int column = int(fraction * slice.width), row = int(up / halfPi * slice.height);
+  if (fraction < 0 || up < 0 || column >= slice.width || row >= slice.height) return showReadout({});
+  const plots::SliceAxes& axes = plots::axesOf(slice.coordinates);
+  const double across = slice.across(column);
+  QStringList lines{QStringLiteral("%1 = %2, %3 = %4")
+                        .arg(QString::fromUtf8(axes.acrossSymbol),
+                             isAngle(axes) ? degreesText(across) : formatNumber(across),
+                             QString::fromUtf8(axes.upSymbol), degreesText(slice.up(row)))};
   for (const auto& series : m_series) {
     const std::size_t i = series.data.index(column, row);
     lines << QStringLiteral("%1: %2").arg(
@@ -307,7 +334,7 @@ bool SlicePlot::eventFilter(QObject* watched, QEvent* event) {
       m_draggingLine = mouse->button() == Qt::LeftButton && isOnLine(mouse->position());
       return m_draggingLine;
     case QEvent::MouseMove:
-      if (m_draggingLine) editThetaI(thetaDAt(m_panels.front(), mouse->position()));
+      if (m_draggingLine) editThetaI(upAt(m_panels.front(), mouse->position()));
       if (!m_draggingLine && mouse->buttons() & Qt::LeftButton) m_viewChanged = true;
       pointerMoved(mouse->position());
       return m_draggingLine;

@@ -18,9 +18,9 @@ class QCPTextElement;
 
 namespace gonio::widgets {
 
-/// Slices of half-difference space side by side, in false colour with one colour bar: theta_h to the right, theta_d
-/// upwards. Hatched: below the horizon; plain grey: not measured. A draggable line marks theta_d = theta_i, on which
-/// theta_h = 0 is the mirror direction. Wheel and drag zoom and pan all slices together.
+/// Slices of one of the spaces plots::SliceCoordinates side by side, in false colour with one colour bar. Hatched:
+/// below the horizon; plain grey: not measured. A draggable line marks the angle of incidence theta_i, whose mirror
+/// direction is at the left edge. Wheel and drag zoom and pan all slices together.
 class SlicePlot final : public Plot {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class SlicePlot final : public Plot {
   explicit SlicePlot(QWidget* parent = nullptr);
   ~SlicePlot() override;
 
-  /// @param series all of the same size, spacing and phi_d.
+  /// @param series all of the same size, coordinates, spacing and azimuth.
   void setSeries(PlotSeriesList<plots::Slice> series);
   const PlotSeriesList<plots::Slice>& series() const { return m_series; }
 
@@ -37,8 +37,8 @@ class SlicePlot final : public Plot {
   io::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
-  /// Position of a point of a slice in the widget. Angles in rad.
-  QPointF position(std::size_t slice, double thetaH, double thetaD) const;
+  /// Position of a point of a slice in the widget, by its coordinates: rad, or |Dp|.
+  QPointF position(std::size_t slice, double across, double up) const;
 
  protected:
   void refresh() override;
@@ -57,7 +57,7 @@ class SlicePlot final : public Plot {
   void apply(const PlotStyle& style);
   void setRanges();
   std::optional<std::size_t> panelAt(const QPointF& position) const;
-  double thetaDAt(const Panel& panel, const QPointF& position) const;
+  double upAt(const Panel& panel, const QPointF& position) const;
   bool isOnLine(const QPointF& position) const;
   void pointerMoved(const QPointF& position);
 

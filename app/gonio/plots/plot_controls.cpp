@@ -21,6 +21,7 @@
 namespace gonio::app {
 
 using plots::SectionAxis;
+using plots::SliceCoordinates;
 using widgets::NumberField;
 
 namespace {
@@ -94,7 +95,7 @@ void PlotControls::addKinds() {
   const std::pair<QString, QString> kinds[] = {
       {tr("Polar"), tr("The lobe in the plane of incidence")},
       {tr("Cartesian"), tr("BRDF values vs. θh, θd or θo")},
-      {tr("Slice"), tr("BRDF values over θh and θd in false colour")},
+      {tr("Slice"), tr("BRDF values over two coordinates in false colour")},
       {tr("Albedo"), tr("Directional albedo: fraction of uniform light that is reflected towards the viewer, vs. the "
                         "polar angle of the viewer")},
       {tr("3-D lobe"), tr("BRDF values over all directions of the viewer as a surface that can be rotated")}};
@@ -139,9 +140,21 @@ void PlotControls::addSections() {
   connect(m_axis, &QComboBox::activated, this,
           [this](int index) { change([index](PlotChoices& choices) { choices.axis = SectionAxis(index); }); });
   m_axisRow = addLabelled({}, m_axis);
-  m_spacing = comboBox({tr("θh linear"), tr("θh as in MERL")}, tr("Spacing of θh"),
-                       tr("Spacing of the θh axis: linear in degrees, or by the square root as in MERL files, which "
-                          "magnifies the highlight"));
+  QStringList coordinates;
+  for (const auto each :
+       {SliceCoordinates::halfDifference, SliceCoordinates::halfOut, SliceCoordinates::projectedDeviation})
+    coordinates << QStringLiteral("%1, %2").arg(QString::fromUtf8(plots::axesOf(each).acrossSymbol),
+                                                QString::fromUtf8(plots::axesOf(each).upSymbol));
+  m_coordinates = comboBox(coordinates, tr("Coordinates"),
+                           tr("Axes of the slice: half-difference, half-out (half vector and viewer), or projected "
+                              "deviation vector and mirror direction"));
+  connect(m_coordinates, &QComboBox::activated, this, [this](int index) {
+    change([index](PlotChoices& choices) { choices.coordinates = SliceCoordinates(index); });
+  });
+  m_coordinatesRow = addLabelled({}, m_coordinates);
+  m_spacing = comboBox({tr("Linear axis"), tr("Square root, as in MERL")}, tr("Spacing of the horizontal axis"),
+                       tr("Spacing of the horizontal axis: linear, or by the square root as that of θh in MERL files, "
+                          "which magnifies the highlight"));
   connect(m_spacing, &QComboBox::activated, this, [this](int index) {
     change([index](PlotChoices& choices) { choices.spacing = plots::ThetaHSpacing(index); });
   });
@@ -254,7 +267,15 @@ void PlotControls::show(const PlotChoices& choices) {
   m_phiD->setValue(choices.phiD);
   m_thetaH->setValue(choices.thetaH);
   m_planeAzimuth->setValue(choices.planeAzimuth);
+  m_coordinates->setCurrentIndex(int(choices.coordinates));
   const bool cartesian = choices.kind == PlotKind::cartesian;
+  const plots::SliceAxes& axes = plots::axesOf(cartesian ? SliceCoordinates::halfDifference : choices.coordinates);
+  auto* azimuth = m_phiDRow->findChild<QLabel*>();
+  azimuth->setText(QString::fromUtf8(axes.azimuthSymbol));
+  for (QWidget* widget : {static_cast<QWidget*>(azimuth), static_cast<QWidget*>(m_phiD)})
+    widget->setToolTip(tr(axes.azimuthMeaning));
+  m_phiD->setAccessibleName(tr(axes.azimuthMeaning));
+  m_coordinatesRow->setVisible(choices.kind == PlotKind::slice);
   m_axisRow->setVisible(cartesian);
   m_spacingRow->setVisible(choices.kind == PlotKind::slice);
   m_phiDRow->setVisible(choices.kind == PlotKind::slice || (cartesian && choices.axis != SectionAxis::thetaO));
@@ -271,6 +292,7 @@ void PlotControls::saveState(QSettings& settings) const {
     settings.setValue(logarithmicKey.arg(int(kind)), m_choices.logarithmic[std::size_t(kind)]);
   settings.setValue(stateKey.arg("axis"), int(m_choices.axis));
   settings.setValue(stateKey.arg("spacing"), int(m_choices.spacing));
+  settings.setValue(stateKey.arg("coordinates"), int(m_choices.coordinates));
 }
 
 void PlotControls::restoreState(const QSettings& settings) {
@@ -287,6 +309,7 @@ void PlotControls::restoreState(const QSettings& settings) {
   }
   choices.axis = SectionAxis(number("axis", int(choices.axis), int(SectionAxis::thetaO)));
   choices.spacing = plots::ThetaHSpacing(number("spacing", int(choices.spacing), 1));
+  choices.coordinates = SliceCoordinates(number("coordinates", int(choices.coordinates), 2));
   setChoices(choices);
 }
 

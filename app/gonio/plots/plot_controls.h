@@ -25,12 +25,14 @@ namespace gonio::app {
 struct PlotChoices {
   PlotKind kind = PlotKind::polar;
   widgets::PlotSettings settings;  ///< of all plots; PlotSettings::logarithmic is ignored, see settingsOf()
-  /// Whether a kind of plot has a logarithmic value axis. Lobes have one, because on a linear axis only the highlight
-  /// is visible.
-  std::array<bool, std::size(allPlotKinds)> logarithmic{true, false, false, false, true};
+  /// Whether a kind of plot has a logarithmic value axis. Lobes and slices have one, because on a linear axis only the
+  /// highlight is visible.
+  std::array<bool, std::size(allPlotKinds)> logarithmic{true, false, true, false, true};
   plots::SectionAxis axis = plots::SectionAxis::thetaO;
+  /// phi_d is the azimuth of a slice in all coordinates.
   double phiD = halfPi, thetaH = 0, planeAzimuth = 0;  ///< rad
   plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
+  plots::SliceCoordinates coordinates = plots::SliceCoordinates::halfDifference;
 
   bool operator==(const PlotChoices&) const = default;
   widgets::PlotSettings settingsOf(PlotKind of) const;
@@ -77,14 +79,14 @@ class PlotControls : public QWidget {
 
   PlotChoices m_choices;
   QTabBar* m_kinds;
-  QComboBox *m_axis, *m_spacing, *m_channel, *m_cosine;
+  QComboBox *m_axis, *m_coordinates, *m_spacing, *m_channel, *m_cosine;
   widgets::NumberField *m_phiD, *m_thetaH, *m_planeAzimuth, *m_thetaI;
   widgets::ParameterSlider* m_thetaISlider;
   QCheckBox* m_logarithmic;
   QToolButton* m_export;
   QSize m_exportSize;
   /// Rows with labels, hidden for kinds of plots that do not use them.
-  QWidget *m_axisRow, *m_spacingRow, *m_phiDRow, *m_thetaHRow, *m_planeAzimuthRow, *m_cosineRow;
+  QWidget *m_axisRow, *m_coordinatesRow, *m_spacingRow, *m_phiDRow, *m_thetaHRow, *m_planeAzimuthRow, *m_cosineRow;
 };
 
 }  // namespace gonio::app

@@ -88,7 +88,8 @@ PlotData computePlot(const PlotRequest& request, const TaskControl& control) {
       data.curves.push_back({role, name, plots::sectionCurve(*brdf, section, coverage)});
     else if (request.kind == PlotKind::slice)
       data.slices.push_back(
-          {role, name, plots::halfDifferenceSlice(*brdf, section.phiD, request.spacing, section.cosine, coverage)});
+          {role, name,
+           plots::sliceOf(*brdf, request.coordinates, section.phiD, request.spacing, section.cosine, coverage)});
     else
       data.lobes.push_back({role, name, plots::lobeSurface(*brdf, section.thetaI, section.cosine, coverage)});
   }

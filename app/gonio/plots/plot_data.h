@@ -40,6 +40,7 @@ struct PlotRequest {
   std::optional<editing::DifferentialEdit> fit;  ///< the edit to which the plotted fit belongs
   plots::Section section;  ///< contains also the angle of incidence, phi_d and the cosine of the other plots
   plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
+  plots::SliceCoordinates coordinates = plots::SliceCoordinates::halfDifference;
   bool coarse = false;  ///< albedo with few samples, during an interaction
   std::shared_ptr<const KnownAlbedo> known;
   std::shared_ptr<const Brdf> base = nullptr;  ///< Document::base(); null: that of the material

@@ -133,8 +133,8 @@ void PlotsPanel::request() {
 
 void PlotsPanel::start() {
   const PlotChoices& choices = m_controls->choices();
-  PlotRequest request{choices.kind,      m_document.material(), m_document.edits(), {},
-                      choices.section(), choices.spacing,       m_rest.isActive(),  m_known};
+  PlotRequest request{choices.kind,    m_document.material(), m_document.edits(), {},     choices.section(),
+                      choices.spacing, choices.coordinates,   m_rest.isActive(),  m_known};
   if (const auto* edit = m_document.active<editing::DifferentialEdit>()) request.fit = *edit;
   request.base = m_document.base();
   request.otherFits = m_otherFits;

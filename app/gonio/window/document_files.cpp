@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -24,6 +25,7 @@
 #include "app/gonio/scene/scene_panel.h"
 #include "core/editing/edit_list.h"
 #include "core/export/export_target.h"
+#include "core/io/atomic_file.h"
 #include "core/io/mesh_file.h"
 #include "core/materials/encode.h"
 #include "core/materials/material.h"
@@ -371,6 +373,16 @@ void DocumentFiles::exportImage() {
       proposedName(m_parts.document), m_window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
+}
+
+void DocumentFiles::exportBlenderAddon() {
+  askAndSave({tr("Export Blender Add-on"), QStringLiteral("gonio_blender"), tr("Add-on (*.zip)"),
+              QStringLiteral(".zip"), [](const std::filesystem::path& path, const TaskControl&) {
+                QFile addon(QStringLiteral(":/blender/gonio_blender.zip"));
+                [[maybe_unused]] const bool opened = addon.open(QIODevice::ReadOnly);
+                const QByteArray bytes = addon.readAll();
+                io::writeFileAtomically(path, std::as_bytes(std::span(bytes.data(), std::size_t(bytes.size()))));
+              }});
 }
 
 void DocumentFiles::saveFit() {

@@ -77,6 +77,8 @@ class DocumentFiles : public QObject {
   void exportBrdf();
   void exportForRenderer();
   void exportImage();
+  /// Asks for a name and saves the add-on for Blender (resources/blender).
+  void exportBlenderAddon();
   /// Asks for a name and saves the fitted model, without the measurement, as a table.
   void saveFit();
   /// Asks for the name of a file that a panel saves (factors, a code, a fit, a figure) and writes it in the background.

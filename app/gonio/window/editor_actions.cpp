@@ -137,6 +137,10 @@ Action EditorActions::file(DocumentFiles& files, ExportController& exporter, Lib
                 .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_E},
                 .run = [&files] { files.exportImage(); },
                 .enabled = hasMaterial},
+               {.text = tr("Export Blender A&dd-on..."),
+                .help = tr("Saves the add-on that opens documents and exports in Blender and reloads them when they "
+                           "change; install it there in Edit > Preferences > Add-ons"),
+                .run = [&files] { files.exportBlenderAddon(); }},
                line(),
                {.text = tr("&Close Window"), .keys = {QKeySequence::Close}, .run = [window] { window->close(); }},
                {.text = tr("&Quit"), .keys = {Qt::CTRL | Qt::Key_Q}, .run = quit}}};

@@ -46,12 +46,16 @@ std::string pbrtCamera(const rendering::OrbitCamera& view) {
          "\n";
 }
 
-std::string pbrtFilm(const std::string& name) {
+/// @param hides whether the picture should not show the environment: pbrt always shows it and its films have no alpha,
+/// so the picture gets the normals, by which a program can mask it.
+std::string pbrtFilm(const std::string& name, bool hides) {
   const std::string pixels = bracketed(std::to_string(scenePixels));
-  return "Film \"rgb\" \"integer xresolution\"" + pixels + " \"integer yresolution\"" + pixels +
-         " \"string filename\" " + pbrtString(name + "_pbrt.exr") +
-         "\nPixelFilter \"box\"\nSampler \"independent\" \"integer " + "pixelsamples\"" +
-         bracketed(std::to_string(scenePictureSamples)) + "\nIntegrator \"path\"\n\nWorldBegin\n";
+  const std::string film = hides ? "# Pixels whose channels Ns.X, Ns.Y and Ns.Z are 0 show the environment behind the "
+                                   "scene, which Gonio hides.\nFilm \"gbuffer\""
+                                 : "Film \"rgb\"";
+  return film + " \"integer xresolution\"" + pixels + " \"integer yresolution\"" + pixels + " \"string filename\" " +
+         pbrtString(name + "_pbrt.exr") + "\nPixelFilter \"box\"\nSampler \"independent\" \"integer " +
+         "pixelsamples\"" + bracketed(std::to_string(scenePictureSamples)) + "\nIntegrator \"path\"\n\nWorldBegin\n";
 }
 
 std::string pbrtLights(const rendering::Scene& scene) {
@@ -89,7 +93,7 @@ std::string pbrtSurface(const rendering::SceneObject& object) {
 }
 
 std::string pbrtText(const rendering::Scene& scene, const SceneFileNames& files) {
-  std::string text = pbrtCamera(scene.camera) + pbrtFilm(files.name);
+  std::string text = pbrtCamera(scene.camera) + pbrtFilm(files.name, scene.environment && !scene.showEnvironment);
   if (scene.environment) text += "LightSource \"infinite\" \"string filename\" " + pbrtString(files.environment) + "\n";
   text += pbrtLights(scene);
   text += "MakeNamedMaterial \"material\" \"string type\" \"measured\" \"string filename\" " +

@@ -6,69 +6,15 @@
 
 #include "core/export/export_files.h"
 #include "core/export/scenes/scene_files.h"
-#include "core/export/shaders/shading_formulas.h"
 #include "core/export/shaders/shading_models.h"
 #include "core/export/target_table.h"
 #include "core/io/json_text.h"
-#include "core/models/fresnel.h"
 
 namespace gonio::exports {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Cycles leaves out a lobe of alpha^2 below 1e-7.
-constexpr SurfaceLimit principledLimits[] = {
-    {SurfaceField::baseColour, 0, 1},   {SurfaceField::metalness, 0, 1}, {SurfaceField::roughness, 0.03, 1},
-    {SurfaceField::anisotropy, 0, 1},   {SurfaceField::rotation, -7, 7}, {SurfaceField::specular, 0, 1},
-    {SurfaceField::specularTint, 0, 1}, {SurfaceField::coat, 0, 1},      {SurfaceField::coatRoughness, 0.03, 1},
-};
-
-struct PrincipledFormula {
-  SurfaceValues v;
-  GgxAlpha alpha;
-  Rgb f0;
-  double ior;  ///< of the Fresnel term's rise
-
-  explicit PrincipledFormula(const SurfaceValues& values) : v(values), alpha(1) {
-    const double aspect = std::sqrt(1 - 0.9 * v.anisotropy), squared = v.roughness * v.roughness;
-    alpha = GgxAlpha(squared / aspect, squared * aspect);
-    const double grey = 0.3 * v.baseColour.x + 0.6 * v.baseColour.y + 0.1 * v.baseColour.z;
-    const Rgb hue = grey > 0 ? v.baseColour / grey : Rgb(1);
-    f0 = glm::mix(0.08 * v.specular * glm::mix(Rgb(1), hue, v.specularTint), v.baseColour, v.metalness);
-    ior = 2 / (1 - std::sqrt(0.08 * v.specular)) - 1;
-  }
-
-  Rgb operator()(const models::SurfaceGeometry& g) const {
-    const double rise = riseOf(g.cosD, ior);
-    Rgb value = (1 - v.metalness) * diffuse(g) * v.baseColour;
-    value += separableGgx(g, alpha) * glm::mix(f0, Rgb(1), rise);
-    return v.coat > 0 ? value + coat(g) : value;
-  }
-
- private:
-  /// 0 at normal incidence, 1 at grazing incidence.
-  static double riseOf(double cosD, double index) {
-    const double least = models::normalReflectanceFromIndex(index);
-    return std::max(0.0, models::fresnelDielectric(cosD, index) - least) / (1 - least);
-  }
-
-  double diffuse(const models::SurfaceGeometry& g) const {
-    const double i = schlickWeight(g.cosI), o = schlickWeight(g.cosO), r = 2 * v.roughness * g.cosD * g.cosD;
-    return ((1 - 0.5 * i) * (1 - 0.5 * o) + r * (i + o + i * o * (r - 1))) / pi;
-  }
-
-  Rgb coat(const models::SurfaceGeometry& g) const {
-    constexpr double maskingAlpha = 0.25, strength = 0.25;
-    const double squared = std::pow(v.coatRoughness, 4);
-    const double density =
-        squared < 1 ? (squared - 1) / (pi * std::log(squared) * (g.sin2H + squared * g.h.z * g.h.z)) : 1 / pi;
-    const double masking =
-        0.25 / (ggxCosineOverG1(g.wi, maskingAlpha, maskingAlpha) * ggxCosineOverG1(g.wo, maskingAlpha, maskingAlpha));
-    return Rgb(strength * v.coat * density * masking * glm::mix(0.04, 1.0, riseOf(g.cosD, 1.5)));
-  }
-};
 
 /// Python reads a declaration of the encoding in the first two lines, so no name may occur in them.
 constexpr const char* scriptStart = R"(# -*- coding: utf-8 -*-
@@ -106,15 +52,28 @@ if __name__ == "__main__":
     main()
 )";
 
+std::string_view seriesText(BlenderVersion blender) {
+  return blender == BlenderVersion::v3 ? "Blender 3" : "Blender 4";
+}
+
+BlenderVersion versionOf(const ExportOptions& options) {
+  return options.blender == 3 ? BlenderVersion::v3 : BlenderVersion::v4;
+}
+
+/// The origin with the series of Blender that the accuracy is for.
+std::string blenderOrigin(const materials::EditedMaterial& source, double snr, BlenderVersion blender) {
+  return originText(source, snr) + " For " + std::string(seriesText(blender)) + ".";
+}
+
 /// A Python script for Blender 3.4 and later that creates a material and assigns it to the active mesh; with
 /// `blender --background --python SCRIPT -- FILE.blend` it saves the material to FILE.blend instead.
 /// @param content a comment line: what the script creates. @param description Python code of the dictionary GONIO, with
 /// all names and the origin of the material: text in comments could be code. @param makeMaterial Python code that
 /// defines make_material(), which returns the material; it can call node(tree, kinds, x, y), which adds a node of the
 /// first type in `kinds` that this version of Blender has.
-std::string blenderMaterialScript(std::string_view content, const std::string& description,
+std::string blenderMaterialScript(const std::string& content, const std::string& description,
                                   std::string_view makeMaterial) {
-  return scriptStart + std::string("# ") + std::string(content) +
+  return scriptStart + std::string("# ") + content +
          "\nimport math\nimport sys\n\nimport bpy\n\nGONIO = " + description + "\n" + nodeFunction + "\n\n" +
          std::string(makeMaterial) + mainFunction;
 }
@@ -215,7 +174,8 @@ ExportResult makeScript(const materials::EditedMaterial& source, const ExportOpt
   ExportResult made;
   ViewLobes best;
   double done = 0.2;
-  for (const ViewLobesSize& size : viewLobesSizes) {
+  for (ViewLobesSize size : viewLobesSizes) {
+    size.blender = versionOf(options);
     const TaskControl part = control.between(done, done + 0.16);
     ViewLobes lobes = fitViewLobes(*source.shown.brdf, size, part.between(0, 0.5));
     auto brdf = viewLobesBrdf(lobes);
@@ -229,8 +189,8 @@ ExportResult makeScript(const materials::EditedMaterial& source, const ExportOpt
   }
   made.facts = {{"lobes", "GGX lobes", best.alphas.size()}, {"knots", "Viewing angles", best.thetas.size()}};
   if (!source.shown.brdf->isIsotropic()) made.warnings.push_back(meanAzimuthWarning());
-  made.parts.push_back(
-      textPart("_blender.py", blenderScript(best, materials::plainName(source), originText(source, made.snr))));
+  made.parts.push_back(textPart(
+      "_blender.py", blenderScript(best, materials::plainName(source), blenderOrigin(source, made.snr, best.blender))));
   return made;
 }
 
@@ -249,6 +209,9 @@ def set_specular_tint(shader):
     """A colour since Blender 4.0, before a factor of the base colour's hue."""
     tint = shader.inputs["Specular Tint"]
     factor, base = GONIO["specular_tint"], GONIO["base_color"]
+    if isinstance(factor, list):
+        tint.default_value = factor + [1] if tint.type == 'RGBA' else 0
+        return
     if tint.type != 'RGBA':
         tint.default_value = factor
         return
@@ -260,10 +223,10 @@ def set_specular_tint(shader):
 def set_coat(shader):
     """Blender 3 has a quarter of the coat that it is given."""
     if "Clearcoat" in shader.inputs:
-        shader.inputs["Clearcoat"].default_value = GONIO["clearcoat"]
+        shader.inputs["Clearcoat"].default_value = min(1, 4 * GONIO["coat_weight"])
     else:
-        shader.inputs["Coat Weight"].default_value = 0.25 * GONIO["clearcoat"]
-    socket(shader, ["Coat Roughness", "Clearcoat Roughness"]).default_value = GONIO["clearcoat_roughness"]
+        shader.inputs["Coat Weight"].default_value = GONIO["coat_weight"]
+    socket(shader, ["Coat Roughness", "Clearcoat Roughness"]).default_value = GONIO["coat_roughness"]
 
 
 def set_anisotropy(tree, shader):
@@ -297,21 +260,14 @@ def make_material():
 
 }  // namespace
 
-const SurfaceShader& principledShader() {
-  static const SurfaceShader shader{
-      principledLimits, {.specular = 0.5, .coatRoughness = 0.03}, [](const SurfaceValues& v) {
-        return makeFormulaBrdf(PrincipledFormula(v), {.isotropic = !(v.anisotropy > 0), .rotation = v.rotation});
-      }};
-  return shader;
-}
-
 std::string blenderScript(const ViewLobes& lobes, const std::string& name, const std::string& origin) {
   Json json{{"name", name}, {"origin", origin}, {"positions", Json::array()}, {"lobes", Json::array()}};
   for (const double theta : lobes.thetas) json["positions"].push_back(float(theta / halfPi));
   if (!isBlack(lobes.weights[0])) json["lobes"].push_back(lobeJson(nullptr, lobes.weights[0]));
   for (std::size_t j = 0; j < lobes.alphas.size(); ++j)
     if (!isBlack(lobes.weights[j + 1])) json["lobes"].push_back(lobeJson(lobes.alphas[j], lobes.weights[j + 1]));
-  return blenderMaterialScript("One Diffuse and several Glossy nodes, each weighted by the viewing angle.",
+  return blenderMaterialScript("One Diffuse and several Glossy nodes, each weighted by the viewing angle, for " +
+                                   std::string(seriesText(lobes.blender)) + ".",
                                pythonText(json), lobesProgram);
 }
 
@@ -325,28 +281,42 @@ ExportTarget blenderTarget() {
               "viewing angle: run it in Blender, or with blender --background --python.",
           .limitations =
               "An approximation by GGX lobes with colours that depend only on the viewing angle; isotropic. The stated "
-              "accuracy is that of Blender 3.4; later versions use a different masking term, so results differ "
-              "near the horizon.",
+              "accuracy is that of Blender 4; Blender 3 has another masking term, so results differ near the horizon.",
           .suffixes = {"_blender.py"},
           .usesSnr = true,
           .scene = &blenderSceneFormat(),
           .make = makeScript};
 }
 
-std::string principledScript(const SurfaceValues& v, const std::string& name, const std::string& origin) {
-  const Json json{{"name", name},
-                  {"origin", origin},
-                  {"base_color", {float(v.baseColour.x), float(v.baseColour.y), float(v.baseColour.z)}},
-                  {"metallic", float(v.metalness)},
-                  {"roughness", float(v.roughness)},
-                  {"specular", float(v.specular)},
-                  {"specular_tint", float(v.specularTint)},
-                  {"anisotropic", float(v.anisotropy)},
-                  {"anisotropic_rotation", float(v.rotation / (2 * pi))},
-                  {"clearcoat", float(v.coat)},
-                  {"clearcoat_roughness", float(v.coatRoughness)}};
-  return blenderMaterialScript("A Principled BSDF.", io::jsonText(json, 4), principledProgram);
+std::string principledScript(const SurfaceValues& v, BlenderVersion blender, const std::string& name,
+                             const std::string& origin) {
+  const bool three = blender == BlenderVersion::v3;
+  const Rgb& tint = v.specularColour;
+  const Json json{
+      {"name", name},
+      {"origin", origin},
+      {"base_color", {float(v.baseColour.x), float(v.baseColour.y), float(v.baseColour.z)}},
+      {"metallic", float(v.metalness)},
+      {"roughness", float(v.roughness)},
+      {"specular", float(v.specular)},
+      {"specular_tint", three ? Json(float(v.specularTint)) : Json{float(tint.x), float(tint.y), float(tint.z)}},
+      {"anisotropic", float(v.anisotropy)},
+      {"anisotropic_rotation", float(v.rotation / (2 * pi))},
+      {"coat_weight", float(three ? v.coat / 4 : v.coat)},
+      {"coat_roughness", float(v.coatRoughness)}};
+  return blenderMaterialScript("A Principled BSDF with values for " + std::string(seriesText(blender)) + ".",
+                               io::jsonText(json, 4), principledProgram);
 }
+
+namespace {
+
+/// principledScript() as a SurfaceText.
+template <BlenderVersion blender>
+std::string principledText(const SurfaceValues& values, const std::string& name, const std::string& origin) {
+  return principledScript(values, blender, name, origin + " For " + std::string(seriesText(blender)) + ".");
+}
+
+}  // namespace
 
 ExportTarget principledTarget() {
   return {
@@ -360,12 +330,16 @@ ExportTarget principledTarget() {
           "run it in Blender, or with blender --background --python.",
       .limitations =
           "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
-          "brushing direction. The stated accuracy is that of Blender 3.4; Blender 4 changed the shader of this "
-          "node.",
+          "brushing direction. The values and the stated accuracy are for Blender 4, whose shader of this node differs "
+          "from that of Blender 3.",
       .suffixes = {principledSuffix},
       .scene = &principledSceneFormat(),
       .make = [](const materials::EditedMaterial& source, const ExportOptions& options, const TaskControl& control) {
-        return makeSurfaceExport(principledShader(), principledSuffix, principledScript, source, options, control);
+        const SurfaceText text = versionOf(options) == BlenderVersion::v3
+                                     ? SurfaceText(principledText<BlenderVersion::v3>)
+                                     : SurfaceText(principledText<BlenderVersion::v4>);
+        return makeSurfaceExport(principledShader(versionOf(options)), principledSuffix, text, source, options,
+                                 control);
       }};
 }
 

@@ -22,14 +22,21 @@ const SurfaceShader& gltfShader();
 /// @param origin text of asset.extras.
 std::string gltfDocument(const SurfaceValues& values, const std::string& name, const std::string& origin);
 
-/// The Principled BSDF of Blender 3.4 in Cycles, distribution GGX (Burley 2012, "Physically-Based Shading at Disney",
-/// with changes: the diffuse lobe with retro-reflection; GGX with the separable term of Walter et al. 2007 and a
-/// Fresnel term that rises from F_0 (0.08 * specular for dielectrics) to 1 in the shape of the exact dielectric
-/// formula; a GTR1 coat with the weight 0.25 * coat). No layer attenuates the one below. Reciprocal.
-const SurfaceShader& principledShader();
-/// A Python script for Blender 3.4 and later that creates a Principled BSDF; the formula is that of 3.4. @param name of
-/// the material. @param origin of the material.
-std::string principledScript(const SurfaceValues& values, const std::string& name, const std::string& origin);
+/// The Principled BSDF in Cycles, distribution GGX, index of refraction 1.5.
+/// Blender 4 (verified with 4.3.2): GGX with the height-correlated Smith term. A metal with Schlick's term and a tint
+/// at 82 degrees (specularColour; Hoffman 2023, "Generalization of Adobe's Fresnel Model"). A dielectric with a Fresnel
+/// term that rises from 0.08 * specular * specularColour to 1 in the shape of the exact dielectric formula, over a
+/// Lambertian lobe that is attenuated by the albedo of this highlight for the viewer. A coat of index 1.5, which
+/// attenuates what is below by its Fresnel term for the viewer. Not reciprocal.
+/// Blender 3 (verified with 3.4.1; Burley 2012, "Physically-Based Shading at Disney", with changes): the diffuse lobe
+/// with retro-reflection; GGX with the separable term of Walter et al. 2007 and a Fresnel term that rises from F_0
+/// (0.08 * specular for dielectrics, with the hue of the base colour by specularTint) to 1 in the same shape; a GTR1
+/// coat with the weight 0.25 * coat. No layer attenuates the one below. Reciprocal.
+const SurfaceShader& principledShader(BlenderVersion blender = BlenderVersion::v4);
+/// A Python script that creates a Principled BSDF, with values for one series of Blender; in the other one the material
+/// looks different. @param name of the material. @param origin of the material.
+std::string principledScript(const SurfaceValues& values, BlenderVersion blender, const std::string& name,
+                             const std::string& origin);
 /// A Python script for Blender 3.4 and later that creates a material of the lobes. Parameters as principledScript().
 std::string blenderScript(const ViewLobes& lobes, const std::string& name, const std::string& origin);
 

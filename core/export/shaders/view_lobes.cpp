@@ -27,11 +27,15 @@ double foldedMasking(double cosine, double alpha2) {
 }
 
 /// D G / (4 cos theta_i cos theta_o)
-double lobeValue(const Direction& wi, const Direction& wo, double alpha) {
+double lobeValue(const Direction& wi, const Direction& wo, double alpha, BlenderVersion blender) {
   const Direction half = glm::normalize(wi + wo);
   const double alpha2 = alpha * alpha, sin2 = half.x * half.x + half.y * half.y;
   const double slope = sin2 + alpha2 * half.z * half.z;
-  return alpha2 / (pi * slope * slope) * foldedMasking(wi.z, alpha2) * foldedMasking(wo.z, alpha2);
+  const double i = foldedMasking(wi.z, alpha2), o = foldedMasking(wo.z, alpha2);
+  // 1 / G_2 = 1 / G_1(i) + 1 / G_1(o) - 1
+  const double masking =
+      blender == BlenderVersion::v3 ? i * o : i * o / (2 * (wi.z * i + wo.z * o) - 4 * wi.z * wo.z * i * o);
+  return alpha2 / (pi * slope * slope) * masking;
 }
 
 class ViewLobesBrdf : public Brdf {
@@ -53,7 +57,7 @@ class ViewLobesBrdf : public Brdf {
     };
     Rgb sum = weight(lobes_.weights[0]) / pi;
     for (std::size_t j = 0; j < lobes_.alphas.size(); ++j)
-      sum += weight(lobes_.weights[j + 1]) * lobeValue(wi, wo, lobes_.alphas[j]);
+      sum += weight(lobes_.weights[j + 1]) * lobeValue(wi, wo, lobes_.alphas[j], lobes_.blender);
     return sum;
   }
 
@@ -79,7 +83,7 @@ struct KnotProblem {
 };
 
 /// Columns of residuals: Lambert, then the lobes.
-LinearMatrix lobeColumns(const PictureCells& cells, std::span<const double> alphas) {
+LinearMatrix lobeColumns(const PictureCells& cells, std::span<const double> alphas, BlenderVersion blender) {
   LinearMatrix columns(Eigen::Index(cells.residualCount()), Eigen::Index(alphas.size() + 1));
   std::vector<double> values(cells.pairs().size());
   const auto weigh = [&](Eigen::Index column) {
@@ -89,16 +93,16 @@ LinearMatrix lobeColumns(const PictureCells& cells, std::span<const double> alph
   weigh(0);
   for (std::size_t j = 0; j < alphas.size(); ++j) {
     std::ranges::transform(cells.pairs(), values.begin(),
-                           [&](const DirectionPair& pair) { return lobeValue(pair.wi, pair.wo, alphas[j]); });
+                           [&](const DirectionPair& pair) { return lobeValue(pair.wi, pair.wo, alphas[j], blender); });
     weigh(Eigen::Index(j + 1));
   }
   return columns;
 }
 
 std::vector<KnotProblem> knotProblems(const Brdf& material, std::span<const double> thetas,
-                                      std::span<const double> alphas) {
+                                      std::span<const double> alphas, BlenderVersion blender) {
   const PictureCells cells(thetas);
-  const LinearMatrix columns = lobeColumns(cells, alphas);
+  const LinearMatrix columns = lobeColumns(cells, alphas, blender);
   const std::vector<double> residuals = cells.residualsOfMaterial(material);
   const Eigen::Map<const LinearMatrix> target(residuals.data(), columns.rows(), 3);
   const auto rows = Eigen::Index(cells.residualsOfViewer());
@@ -153,10 +157,10 @@ ViewLobes fitViewLobes(const Brdf& material, const ViewLobesSize& size, const Ta
   std::vector<double> alphas(candidateWidths);
   for (std::size_t j = 0; j < candidateWidths; ++j)
     alphas[j] = std::pow(minAlpha, 1 - double(j) / double(candidateWidths - 1));
-  ViewLobes result;
+  ViewLobes result{.blender = size.blender};
   for (std::size_t k = 0; k < size.knots; ++k)
     result.thetas.push_back(radians(lastKnotDegrees) * double(k) / double(size.knots - 1));
-  const std::vector<KnotProblem> problems = knotProblems(material, result.thetas, alphas);
+  const std::vector<KnotProblem> problems = knotProblems(material, result.thetas, alphas, size.blender);
   control.throwIfStopped();
   const std::vector<Eigen::Index> used = strongest(problems, result.thetas, size.lobes);
   result.weights.assign(used.size(), std::vector<Rgb>(size.knots));

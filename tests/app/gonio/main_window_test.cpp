@@ -134,6 +134,17 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// The add-on that the menu saves is the file of the build, and holds the module.
+  void theBlenderAddonIsBuiltIn() {
+    auto* window = new MainWindow;
+    QVERIFY(found(*window, "Blender add-on").filter("File > ").size() == 1);
+    delete window;
+    QFile addon(QStringLiteral(":/blender/gonio_blender.zip"));
+    QVERIFY(addon.open(QIODevice::ReadOnly));
+    const QByteArray bytes = addon.readAll();
+    QVERIFY(bytes.startsWith("PK") && bytes.contains("gonio/__init__.py"));
+  }
+
   /// At most one figure dialog; the search also finds it by its purpose.
   void figuresFromTheMenu() {
     auto* window = new MainWindow;

@@ -192,7 +192,7 @@ class PlotsPanelTest : public QObject {
     QCOMPARE(p.panel.controls().choices().section().thetaD, 0.3);
   }
 
-  /// Lobes are logarithmic unless the user says otherwise, others linear; each kind keeps its own choice.
+  /// Lobes and slices are logarithmic unless the user says otherwise, others linear; each kind keeps its own choice.
   void eachKindHasItsOwnAxis() {
     Panel p;
     const auto isLogarithmic = [&](const widgets::Plot* plot) { return plot->settings().logarithmic; };
@@ -216,10 +216,11 @@ class PlotsPanelTest : public QObject {
     choices.kind = PlotKind::slice;
     choices.settings.channel = plots::Channel::blue;
     choices.settings.cosine = plots::CosineFactor::incident;
-    choices.logarithmic[std::size_t(PlotKind::slice)] = true;
+    choices.logarithmic[std::size_t(PlotKind::slice)] = false;
     choices.logarithmic[std::size_t(PlotKind::lobe)] = false;
     choices.axis = plots::SectionAxis::thetaH;
     choices.spacing = plots::ThetaHSpacing::linear;
+    choices.coordinates = plots::SliceCoordinates::halfOut;
     {
       Panel p;
       p.panel.controls().setChoices(choices);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QStandardPaths>
@@ -26,8 +27,10 @@ using namespace gonio::geometry;
 
 constexpr int sunSamples = 64;
 
-bool runBlender(const QStringList& arguments) {
+bool runBlender(const QStringList& arguments,
+                const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
   QProcess blender;
+  blender.setProcessEnvironment(environment);
   blender.start("blender", QStringList{"--background", "--python-exit-code", "1", "--python"} + arguments);
   const bool done = blender.waitForFinished(240000) && blender.exitCode() == 0;
   if (!done) qWarning() << blender.readAll() << blender.readAllStandardError();
@@ -97,12 +100,18 @@ class BlenderTest : public QObject {
   void initTestCase() {
     if (QStandardPaths::findExecutable("blender").isEmpty())
       QSKIP("blender is not installed (scripts/install_export_clients.sh)");
+    QProcess blender;
+    blender.start("blender", {"--version"});
+    QVERIFY(blender.waitForFinished(60000));
+    const QString version = QString::fromUtf8(blender.readAllStandardOutput()).section(' ', 1, 1);
+    qInfo() << "Blender" << version;
+    m_version = version.startsWith('3') ? exports::BlenderVersion::v3 : exports::BlenderVersion::v4;
   }
 
   /// Cycles shows the node graph as Gonio predicts it.
   void cyclesShowsThePrediction() {
     const auto material = test::ggx(Rgb(0.3, 0.12, 0.05), Rgb(0.9), 0.25, 0.06);
-    const exports::ViewLobes lobes = exports::fitViewLobes(*material, {.lobes = 3, .knots = 16});
+    const exports::ViewLobes lobes = exports::fitViewLobes(*material, {.lobes = 3, .knots = 16, .blender = m_version});
     const double snr =
         snrInBlender(m_folder.path(), exports::blenderScript(lobes, "test", "A test."), *exports::viewLobesBrdf(lobes));
     qInfo() << "Cycles against the prediction:" << snr << "dB";
@@ -114,12 +123,13 @@ class BlenderTest : public QObject {
     const exports::SurfaceValues values{.baseColour = Rgb(0.6, 0.3, 0.1),
                                         .metalness = 0.3,
                                         .roughness = 0.5,
+                                        .specularColour = Rgb(0.9, 0.7, 0.5),
                                         .specular = 0.7,
                                         .specularTint = 0.5,
                                         .coat = 0.8,
                                         .coatRoughness = 0.4};
-    const double snr = snrInBlender(m_folder.path(), exports::principledScript(values, "test", "A test."),
-                                    *exports::principledShader().brdf(values));
+    const double snr = snrInBlender(m_folder.path(), exports::principledScript(values, m_version, "test", "A test."),
+                                    *exports::principledShader(m_version).brdf(values));
     qInfo() << "Cycles against the prediction:" << snr << "dB";
     QVERIFY(snr > 60);
   }
@@ -133,10 +143,24 @@ class BlenderTest : public QObject {
                                         .rotation = 0.6,
                                         .specular = 0.5,
                                         .coatRoughness = 0.03};
-    const double snr = snrInBlender(m_folder.path(), exports::principledScript(values, "test", "A test."),
-                                    *exports::principledShader().brdf(values));
+    const double snr = snrInBlender(m_folder.path(), exports::principledScript(values, m_version, "test", "A test."),
+                                    *exports::principledShader(m_version).brdf(values));
     qInfo() << "Cycles against the prediction:" << snr << "dB";
     QVERIFY(snr > 50);
+  }
+
+  /// The add-on opens an exported script and a document, and shows what changes in them (check_addon.py).
+  void theAddonFollowsItsFiles() {
+    const QTemporaryDir folder;
+    QProcessEnvironment own = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"RESOURCES", "CONFIG", "SCRIPTS", "DATAFILES"}) {
+      const QString path = folder.filePath(QString(name).toLower());
+      QVERIFY(QDir().mkpath(path));
+      own.insert(QString("BLENDER_USER_%1").arg(name), path);
+    }
+    // Without goniotool, which no library of core needs, the script alone is followed.
+    const QString goniotool = QFile::exists(GONIOTOOL) ? GONIOTOOL : "";
+    QVERIFY(runBlender({CHECK_ADDON_SCRIPT, "--", BLENDER_ADDON, goniotool, folder.path()}, own));
   }
 
   void cyclesShowsTheScene_data() {
@@ -163,7 +187,7 @@ class BlenderTest : public QObject {
       if (light == "orthographic") scene.camera.fieldOfView = 0;
     }
     const auto material = test::ggx(Rgb(0.3, 0.12, 0.05), Rgb(0.9), 0.4, 0.06);
-    const exports::ViewLobes lobes = exports::fitViewLobes(*material, {.lobes = 2, .knots = 12});
+    const exports::ViewLobes lobes = exports::fitViewLobes(*material, {.lobes = 2, .knots = 12, .blender = m_version});
     const Image found = renderedScene(m_folder, scene, exports::blenderScript(lobes, "test", "A test."), 64, 256);
     const Image expected =
         renderPicture(*exports::viewLobesBrdf(lobes), scene, {.width = 64, .height = 64, .samples = 512});
@@ -174,18 +198,25 @@ class BlenderTest : public QObject {
   }
 
   void theStatedAccuracyIsThatInBlender_data() {
+    QTest::addColumn<QString>("target");
     QTest::addColumn<QString>("material");
     QTest::addColumn<int>("side");
-    QTest::newRow("blue-metallic-paint") << "blue-metallic-paint" << 64;
-    QTest::newRow("chrome") << "chrome" << 128;  // its highlights are as narrow as pixels
+    QTest::newRow("lobes, blue-metallic-paint") << "blender"
+                                                << "blue-metallic-paint" << 64;
+    QTest::newRow("lobes, chrome") << "blender"
+                                   << "chrome" << 128;  // its highlights are as narrow as pixels
+    QTest::newRow("principled, blue-metallic-paint") << "principled"
+                                                     << "blue-metallic-paint" << 64;
   }
 
   /// Blender's picture is as far from the material as the export says, free of both noises.
   void theStatedAccuracyIsThatInBlender() {
+    QFETCH(QString, target);
     QFETCH(QString, material);
     QFETCH(int, side);
     const materials::Material opened = materials::readMaterial("library:merl-copy/" + material.toStdString());
-    const auto made = exports::makeExport(*exports::findExportTarget("blender"), materials::unedited(opened));
+    const auto made = exports::makeExport(*exports::findExportTarget(target.toStdString()), materials::unedited(opened),
+                                          {.blender = int(m_version)});
     const std::string script(reinterpret_cast<const char*>(made.parts[0].bytes.data()), made.parts[0].bytes.size());
     constexpr int pictureSamples = 256;
     metrics::PicturePair found, expected;
@@ -201,6 +232,7 @@ class BlenderTest : public QObject {
 
  private:
   QTemporaryDir m_folder;
+  exports::BlenderVersion m_version = exports::BlenderVersion::v4;
 };
 
 GONIO_TEST(BlenderTest)

@@ -54,13 +54,14 @@ std::vector<ExportPart> textFiles(const EditedMaterial& source) {
   const std::string origin = originText(source, 30);
   const ViewLobes viewLobes{.alphas = {0.1}, .thetas = {0}, .weights = {{Rgb(0.1)}, {Rgb(0.5)}}};
   const SurfaceValues values{.anisotropy = 0.5};
-  return {textPart("_blender.py", blenderScript(viewLobes, materials::plainName(source), origin)),
-          textPart("_principled.py", principledScript(values, materials::plainName(source), origin)),
-          textPart(".gltf", gltfDocument(values, materials::plainName(source), origin)),
-          textPart(".mtlx", schlickLobesDocument({}, materials::plainName(source), origin)),
-          textPart("_openpbr.mtlx", openPbrDocument(values, materials::plainName(source), origin)),
-          textPart("_standard_surface.mtlx", standardSurfaceDocument(values, materials::plainName(source), origin)),
-          textPart(".glsl", glslFunction({}, origin))};
+  return {
+      textPart("_blender.py", blenderScript(viewLobes, materials::plainName(source), origin)),
+      textPart("_principled.py", principledScript(values, BlenderVersion::v4, materials::plainName(source), origin)),
+      textPart(".gltf", gltfDocument(values, materials::plainName(source), origin)),
+      textPart(".mtlx", schlickLobesDocument({}, materials::plainName(source), origin)),
+      textPart("_openpbr.mtlx", openPbrDocument(values, materials::plainName(source), origin)),
+      textPart("_standard_surface.mtlx", standardSurfaceDocument(values, materials::plainName(source), origin)),
+      textPart(".glsl", glslFunction({}, origin))};
 }
 
 /// A mesh and an environment, which are files of their own, and a sphere; all with a name.

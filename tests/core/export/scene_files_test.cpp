@@ -108,6 +108,13 @@ class SceneFilesTest : public QObject {
     QCOMPARE(file.layout, std::string("equal-area octahedral"));  // so that it is not opened as another one
     const Image& image = file.image;
     QCOMPARE(image.width, image.height);
+    // Where Gonio hides the environment, the picture has the normals, by which it can be masked.
+    for (const bool shown : {false, true}) {
+      Scene scene = comparisonScene();
+      scene.showEnvironment = shown;
+      const QString film = textOf(exports::sceneParts(exports::pbrtSceneFormat(), scene, "chrome")[0]);
+      QVERIFY(film.contains(shown ? "\nFilm \"rgb\"" : "\nFilm \"gbuffer\"") && film.contains("Ns.X") == !shown);
+    }
   }
 
   /// Every scene of the project in every renderer: all files that are announced, none besides, each of them named in

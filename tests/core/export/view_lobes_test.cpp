@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/export/shaders/shading_formulas.h"
+#include "core/models/surface_geometry.h"
 #include "core/sampling/directional_albedo.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/random_directions.h"
@@ -25,15 +27,19 @@ ViewLobes known() {
 class ViewLobesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// A GGX lobe without Fresnel term and with separable masking is the model of Walter et al. with F = 1.
+  /// A GGX lobe without Fresnel term is the model of Walter et al. with F = 1; in Blender 4 with the correlated
+  /// masking.
   void aLobeIsTheGgxModel() {
     const auto model = test::ggx(Rgb(0.25), Rgb(0.5), 0.3, 1);
-    const auto lobes = exports::viewLobesBrdf({{0.3}, {0}, {{Rgb(0.25)}, {Rgb(0.5)}}});
+    const auto separable = exports::viewLobesBrdf({{0.3}, {0}, {{Rgb(0.25)}, {Rgb(0.5)}}, exports::BlenderVersion::v3});
+    const auto correlated = exports::viewLobesBrdf({{0.3}, {0}, {{Rgb(0)}, {Rgb(1)}}, exports::BlenderVersion::v4});
     std::mt19937_64 random(3);
     for (int i = 0; i < 200; ++i) {
       const DirectionPair pair{test::randomUpper(random), test::randomUpper(random)};
       const double expected = model->evaluate(pair.wi, pair.wo).x;
-      QVERIFY(std::abs(lobes->evaluate(pair.wi, pair.wo).x - expected) < 1e-9 * (1 + expected));
+      QVERIFY(std::abs(separable->evaluate(pair.wi, pair.wo).x - expected) < 1e-9 * (1 + expected));
+      const double lobe = exports::correlatedGgx(models::surfaceGeometry(pair), exports::GgxAlpha(0.3));
+      QVERIFY(std::abs(correlated->evaluate(pair.wi, pair.wo).x - lobe) < 1e-9 * (1 + lobe));
     }
   }
 

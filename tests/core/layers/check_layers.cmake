@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
 # cmake -DROOT=FOLDER -DCORE_MODULES=A,B,.. -DWIDGET_MODULES=.. -DAPP_MODULES=.. -P check_layers.cmake: fails where a layer
-# includes from a layer above it, or a module from a module behind it in its layer's list, or where the namespace of a module of
-# core has another name than its folder. Lists every offence.
+# includes from a layer above it, or a module from a module behind it in its layer's list, or another module than core/support
+# from POSIX, or where the namespace of a module of core has another name than its folder. Lists every offence.
 cmake_minimum_required(VERSION 3.22)
 
 set(qt "[<\"](Q[A-Z][A-Za-z0-9]*|Qt[A-Z][A-Za-z0-9]*/.*)(\\.h)?[>\"]")
 set(opengl "[<\"](GL|GLES[0-9]*|EGL|KHR|OpenGL|GLFW|epoxy|glad)/")
+set(posix "<((dirent|dlfcn|fcntl|glob|grp|malloc|poll|pthread|pwd|sched|semaphore|signal|termios|unistd)\\.h|csignal>|(linux|netinet|sys)/)")
 
 # must_not_include(FOLDER WHAT REGEX [FILE ...]): the files may.
 function(must_not_include folder what regex)
@@ -71,6 +72,10 @@ must_not_include(core OpenGL "${opengl}")
 must_not_include(core "the layers above it" "[<\"](widgets|app|tests)/")
 must_not_include(widgets "the layers above it" "[<\"](app|tests)/")
 must_not_include(python "other layers than core" "[<\"](widgets|app|tests)/")
+file(GLOB support ${ROOT}/core/support/*.h ${ROOT}/core/support/*.cpp)
+foreach(folder core widgets app python)
+  must_not_include(${folder} "POSIX, of which core/support alone knows" "${posix}" ${support})
+endforeach()
 check_modules(core "${CORE_MODULES}")
 check_namespaces("${CORE_MODULES}")
 check_modules(widgets "${WIDGET_MODULES}")

@@ -2,7 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 #include <cmath>
+#include <functional>
 
+#include "core/coordinates/half_difference.h"
+#include "core/coordinates/half_out.h"
+#include "core/coordinates/projected_deviation.h"
 #include "core/plots/plotted_values.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
@@ -115,29 +119,60 @@ class PlotCurvesTest : public QObject {
     QVERIFY(sectionCurve(table, section).points.states.back() == PointState::known);
   }
 
+  void sliceOfAKnownFunction_data() {
+    QTest::addColumn<int>("coordinates");
+    QTest::addColumn<double>("azimuth");
+    for (int coordinates = 0; coordinates < 3; ++coordinates)
+      for (const double azimuth : {0.1, halfPi, 2.5})
+        QTest::addRow("%s, %g", std::string(axesOf(SliceCoordinates(coordinates)).system).c_str(), azimuth)
+            << coordinates << azimuth;
+  }
+
   void sliceOfAKnownFunction() {
-    const test::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) {
-      const HalfDifference at = toHalfDifference(wi, wo);
-      return Rgb(at.thetaH, at.thetaD, wi.z);
-    });
-    for (const auto spacing : {ThetaHSpacing::linear, ThetaHSpacing::squareRoot})
-      for (const double phiD : {0.1, halfPi}) {
-        const Slice slice = halfDifferenceSlice(brdf, phiD, spacing, CosineFactor::none, nullptr, 30);
-        for (int row = 0; row < slice.height; ++row)
-          for (int column = 0; column < slice.width; ++column) {
-            const double thetaH = slice.thetaH(column), thetaD = slice.thetaD(row);
-            const std::size_t i = slice.index(column, row);
-            QCOMPARE(slice.cells.states[i] == PointState::known, isAboveHorizon(thetaH, thetaD, phiD));
-            if (slice.cells.states[i] != PointState::known) continue;
-            QVERIFY(std::abs(slice.cells.values[i].x - thetaH) < 1e-9);
-            QVERIFY(std::abs(slice.cells.values[i].y - thetaD) < 1e-9);
-          }
-      }
+    QFETCH(int, coordinates);
+    QFETCH(double, azimuth);
+    // The coordinates by their own functions.
+    const std::function<Rgb(const Direction&, const Direction&)> functions[] = {
+        [](const Direction& wi, const Direction& wo) {
+          const HalfDifference at = toHalfDifference(wi, wo);
+          return Rgb(at.thetaH, at.thetaD, at.phiD);
+        },
+        [](const Direction& wi, const Direction& wo) {
+          const HalfOut at = toHalfOut(wi, wo);
+          return Rgb(at.thetaH, at.thetaO, at.phiH);
+        },
+        [](const Direction& wi, const Direction& wo) {
+          const ProjectedDeviation at = toProjectedDeviation(wi, wo);
+          return Rgb(at.deviation, at.thetaR, at.phi);
+        }};
+    const test::FunctionBrdf brdf(functions[coordinates]);
+    for (const auto spacing : {ThetaHSpacing::linear, ThetaHSpacing::squareRoot}) {
+      const Slice slice =
+          sliceOf(brdf, SliceCoordinates(coordinates), azimuth, spacing, CosineFactor::none, nullptr, 30);
+      int known = 0;
+      for (int row = 0; row < slice.height; ++row)
+        for (int column = 0; column < slice.width; ++column) {
+          const double across = slice.across(column), up = slice.up(row);
+          const std::size_t i = slice.index(column, row);
+          if (coordinates == 0)
+            QCOMPARE(slice.cells.states[i] == PointState::known, isAboveHorizon(across, up, azimuth));
+          if (slice.cells.states[i] != PointState::known) continue;
+          ++known;
+          const Rgb& value = slice.cells.values[i];
+          QVERIFY(std::abs(value.x - across) < 1e-9);
+          QVERIFY(std::abs(value.y - up) < 1e-9);
+          QVERIFY(std::abs(std::remainder(value.z - azimuth, 2 * pi)) < 1e-7);
+        }
+      QVERIFY(known > 100);
+    }
+  }
+
+  void cosineOfASlice() {
     // At phi_d = 90 degrees cos theta_i = cos theta_h cos theta_d.
-    const Slice slice =
-        halfDifferenceSlice(test::lambert(Rgb(pi)), halfPi, ThetaHSpacing::linear, CosineFactor::incident);
+    const Slice slice = sliceOf(test::lambert(Rgb(pi)), SliceCoordinates::halfDifference, halfPi, ThetaHSpacing::linear,
+                                CosineFactor::incident);
     const std::size_t i = slice.index(10, 70);
-    QVERIFY(std::abs(slice.cells.values[i].x - std::cos(slice.thetaH(10)) * std::cos(slice.thetaD(70))) < tolerance);
+    QVERIFY(std::abs(slice.cells.values[i].x - std::cos(slice.across(10)) * std::cos(slice.up(70))) < tolerance);
   }
 
   void spacingOfTheSliceIsUndone() {
