@@ -40,11 +40,11 @@ for program in debootstrap Xvfb xwininfo import; do
   command -v "$program" >/dev/null || fail "$program is missing: apt-get install debootstrap xvfb x11-utils imagemagick"
 done
 
-# Mounts vanish with this process, however it ends.
+# Mounts and processes vanish with this one, however it ends; the system sees its own processes alone.
 if [ -z "${GONIO_CHECK_MOUNTS:-}" ]; then
   options=("${steps[@]/#/--}")
   [ -z "$keep" ] || options+=(--keep)
-  GONIO_CHECK_MOUNTS=private exec unshare --mount "$0" "$release" "${options[@]}" -- "$@"
+  GONIO_CHECK_MOUNTS=private exec unshare --mount --pid --fork --kill-child "$0" "$release" "${options[@]}" -- "$@"
 fi
 
 mirror=${DEBIAN_MIRROR:-http://deb.debian.org}
