@@ -82,11 +82,21 @@ struct PointLight {
 /// The axis of a mesh file that points up.
 enum class UpAxis { y, z };
 
+/// How a mesh file stands in its scene: the axis that points up, then quarter turns about it, counterclockwise as seen
+/// from above. Without turns, the viewer sees the side of the mesh that faces along +z (y up, as in glTF) or -y (z up).
+struct MeshPose {
+  MeshPose(UpAxis upAxis = UpAxis::y, int turns = 0) : up(upAxis), quarterTurns(turns) {}
+
+  UpAxis up;
+  int quarterTurns;  ///< 0 to 3
+  bool operator==(const MeshPose&) const = default;
+};
+
 /// A scene in world coordinates (y up). Copies share meshes and environments.
 struct Scene {
   std::string name, description;
-  std::string source;     ///< the argument of openScene(): the name of a bundled scene, or a path; empty for others
-  UpAxis up = UpAxis::y;  ///< the argument of openScene()
+  std::string source;  ///< the argument of openScene(): the name of a bundled scene, or a path; empty for others
+  MeshPose pose;       ///< the argument of openScene()
   OrbitCamera camera;
   std::vector<SceneObject> objects;
   std::vector<DirectionalLight> directionalLights;

@@ -273,15 +273,15 @@ std::string namesText() {
 }
 
 /// A mesh from disk as its own scene: the bundled one of the shader ball with that mesh in its place.
-Scene meshScene(const std::filesystem::path& path, UpAxis up) {
+Scene meshScene(const std::filesystem::path& path, const MeshPose& pose) {
   Scene scene = openScene("shader-ball");
   scene.name = path.stem().string();
   scene.description = "A mesh on the ground";
   scene.objects[0].name = scene.name;
-  io::MeshFile file = readUpright(path, up);
+  io::MeshFile file = readUpright(path, pose.up);
   addNotes(path.filename().string(), file, scene);
   scene.objects[0].shape = placedMesh(std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh)), file.origin,
-                                      1, 0, Direction(0), true);
+                                      1, pose.quarterTurns * pi / 2, Direction(0), true);
   const geometry::TriangleMesh::Bounds& bounds = std::get<MeshShape>(scene.objects[0].shape)->mesh().bounds();
   scene.camera.target = (bounds.min + bounds.max) / 2.0;
   scene.camera.distance = fittingDistance(scene, scene.camera);
@@ -306,8 +306,8 @@ Scene parseScene(const std::string& text, int materials, const std::optional<std
 
 namespace {
 
-Scene sceneOfFile(const std::filesystem::path& path, int materials, UpAxis up) {
-  if (io::isMeshFile(path)) return meshScene(path, up);
+Scene sceneOfFile(const std::filesystem::path& path, int materials, const MeshPose& pose) {
+  if (io::isMeshFile(path)) return meshScene(path, pose);
   Scene scene = withFileInErrors(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxSceneBytes);
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -327,9 +327,9 @@ UpAxis upAxisOf(std::string_view name) {
   throw Error("up axis: found '" + std::string(name) + "', expected y or z");
 }
 
-Scene openScene(const std::string& nameOrPath, int materials, UpAxis up) {
-  if (up != UpAxis::y && !io::isMeshFile(nameOrPath))
-    throw Error(nameOrPath + ": found the up axis " + std::string(upAxisName(up)) + ", expected a mesh file (" +
+Scene openScene(const std::string& nameOrPath, int materials, const MeshPose& pose) {
+  if (pose.up != UpAxis::y && !io::isMeshFile(nameOrPath))
+    throw Error(nameOrPath + ": found the up axis " + std::string(upAxisName(pose.up)) + ", expected a mesh file (" +
                 io::meshSuffixList() + "); bundled scenes are y up, and scene files state the axis of each mesh");
   Scene scene;
   const std::string_view name =
@@ -339,12 +339,12 @@ Scene openScene(const std::string& nameOrPath, int materials, UpAxis up) {
     scene = parseScene(std::string(bundled->json), materials);
     scene.name = nameOrPath;
   } else if (std::error_code unreadable; std::filesystem::exists(nameOrPath, unreadable)) {
-    scene = sceneOfFile(nameOrPath, materials, up);
+    scene = sceneOfFile(nameOrPath, materials, pose);
   } else {
     throw Error(nameOrPath + ": found neither a bundled scene (" + namesText() + ") nor a file with this name");
   }
   scene.source = nameOrPath;
-  scene.up = up;
+  scene.pose = pose;
   return scene;
 }
 

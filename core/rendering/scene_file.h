@@ -27,10 +27,10 @@ Scene parseScene(const std::string& text, int materials, const std::optional<std
 
 /// Opens a bundled scene by its name (comparisonSceneName is another name of bundledComparisonScene), a scene file
 /// (.json), or a mesh, which is scaled to the unit sphere and placed on the ground in the studio.
-/// @param up of a mesh: z turns it by a quarter turn about x, so that its z axis points up and its y axis away from the
-/// viewer. Scene files state the axis of each mesh.
-/// @throws Error that names the file or lists the names; Error if `up` is not y and the scene is not a mesh.
-Scene openScene(const std::string& nameOrPath, int materials = 1, UpAxis up = UpAxis::y);
+/// @param pose of a mesh: z up turns it by a quarter turn about x, so that its z axis points up and its y axis away
+/// from the viewer. Scene files state the axis and the turn of each mesh.
+/// @throws Error that names the file or lists the names; Error if the up axis is not y and the scene is not a mesh.
+Scene openScene(const std::string& nameOrPath, int materials = 1, const MeshPose& pose = {});
 
 /// "y" or "z".
 std::string_view upAxisName(UpAxis up);

@@ -50,6 +50,10 @@ class EditStackTest : public QObject {
     const auto* empty = m_stack->findChild<QLabel*>(QString(), Qt::FindDirectChildrenOnly);
     QCOMPARE(empty->text(), QStringLiteral("None"));
     QVERIFY(empty->isVisible() && !list()->isVisible());
+    // The first edit takes its place: what stands below does not move while a slider is dragged.
+    const QSize before = m_stack->sizeHint();
+    m_stack->setEntries({{.name = "GGX", .effect = "Albedo: measuring..."}}, 0, {});
+    QCOMPARE(m_stack->sizeHint().height(), before.height());
   }
 
   /// A list that becomes narrower, as beside a scroll bar, cuts off no row.

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -36,6 +37,57 @@ class LibraryViewTest : public QObject {
     QVERIFY(!model.index(1).data(Qt::DecorationRole).isNull());
     QVERIFY(model.index(2).data(richToolTipRole).toString().contains("too short"));
     QCOMPARE(model.index(2).data(LibraryModel::FailureBadgeRole).toString(), QString("cannot be read"));
+  }
+
+  /// The columns share the width of the view, and no row of tiles loses a column to the rounding.
+  void tilesFillTheWidth() {
+    LibraryModel model;
+    LibraryView view(&model);
+    view.show();
+    view.setTileSize(64);
+    std::vector<LibraryItem> items;
+    for (int i = 0; i < 40; ++i) items.push_back({QString::number(i), i < 33 ? "gold" : "tin", "MERL file"});
+    model.setItems(items);
+    for (const int width : {200, 257, 333, 410}) {
+      view.resize(width, 300);
+      const QListView& list = *view.list();
+      const auto rectOf = [&](int row) { return list.visualRect(list.model()->index(row, 0)); };
+      const auto columns = [&] {
+        int count = 1;
+        while (count < list.model()->rowCount() && rectOf(count).top() == rectOf(0).top()) ++count;
+        return count;
+      };
+      const int margins = 2 * 4;
+      const int room = list.maximumViewportSize().width() - list.verticalScrollBar()->sizeHint().width();
+      const int expected = (room - list.spacing() - 1) / (64 + margins + list.spacing());
+      QTRY_COMPARE(columns(), expected);
+      const int lost = room - rectOf(expected - 1).right() - list.spacing();
+      QVERIFY(lost >= 0 && lost <= expected + 1);
+      // Where a search leaves a few, which need no scroll bar, too.
+      view.search()->setText("tin");
+      QTRY_COMPARE(list.model()->rowCount(), 7);
+      QTRY_COMPARE(columns(), expected);
+      view.search()->clear();
+    }
+  }
+
+  /// Long names stay distinguishable: their ends are shown, on two lines at most.
+  void endsOfLongNamesAreShown() {
+    LibraryModel model;
+    LibraryView view(&model);
+    view.resize(400, 300);
+    view.setTileSize(64);
+    view.show();
+    model.setItems({{"a", "color-changing-paint1", ""}, {"b", "color-changing-paint2", ""}});
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    QListView& list = *view.list();
+    const QImage shown = list.viewport()->grab().toImage();
+    const auto tile = [&](int row) { return list.visualRect(list.model()->index(row, 0)); };
+    QTRY_VERIFY(tile(1).left() > tile(0).right());
+    QCOMPARE(tile(0).size(), tile(1).size());
+    const int picture = 64 + 4;
+    const auto name = [&](int row) { return shown.copy(tile(row).adjusted(4, picture, -4, 0)); };
+    QVERIFY(name(0) != name(1));
   }
 
   void searchSortAndOpenByKeyboard() {

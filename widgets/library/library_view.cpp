@@ -44,12 +44,27 @@ void paintPlaceholder(QPainter& painter, const QRectF& area, QColor colour, bool
   painter.drawLine(middle - across, middle + across);
 }
 
+constexpr int labelFlags = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+
 /// The name in at most two lines: "blue-metallic-paint" may break after a hyphen. What has
 /// no room is left out in the middle: the end of a name, such as ", rougher", distinguishes it.
-QString shownName(QString name, const QFontMetrics& metrics, int width) {
-  constexpr double usedWidth = 1.7;  // of two lines: words leave some of the first one empty
-  return metrics.elidedText(name, Qt::ElideMiddle, int(usedWidth * width))
-      .replace('-', QStringLiteral("-") + QChar(0x200b));
+QString shownName(const QString& name, const QFontMetrics& metrics, const QRect& label) {
+  constexpr double fullest = 2, emptiest = 1, step = 0.1;  // of lines: words leave some of the first one empty
+  for (double lines = fullest;; lines -= step) {
+    const QString shown = metrics.elidedText(name, Qt::ElideMiddle, int(lines * label.width()))
+                              .replace('-', QStringLiteral("-") + QChar(0x200b));
+    const QRect needed = metrics.boundingRect(label, labelFlags, shown);
+    if (lines <= emptiest || (needed.height() <= label.height() && needed.width() <= label.width())) return shown;
+  }
+}
+
+/// A ground that is lighter than the list in a dark theme: black materials would vanish.
+void paintGround(QPainter& painter, const QRect& picture, QColor colour) {
+  constexpr float faint = 0.08f;
+  colour.setAlphaF(faint);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawRoundedRect(picture, margin, margin);
 }
 
 void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QString& title) {
@@ -114,14 +129,20 @@ void paintStar(QPainter& painter, const QStyleOptionViewItem& option, const QRec
 }  // namespace
 
 QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-  if (index.data(LibraryModel::HeadingRole).toBool()) {
-    // A row of its own: as wide as the view.
-    const auto* view = qobject_cast<const QListView*>(option.widget);
-    const int width = view ? view->viewport()->width() - 2 * view->spacing() - 1 : m_tile;
-    return {width, option.fontMetrics.height() + 3 * margin};
-  }
-  return {m_tile + 2 * margin, m_tile + labelLines * option.fontMetrics.height() +
-                                   QFontMetrics(sized(option.font, TextSize::small)).height() + 3 * margin};
+  const auto* view = qobject_cast<const QListView*>(option.widget);
+  const int spacing = view ? view->spacing() : 0;
+  const int narrowest = m_tile + 2 * margin;
+  // A row of its own: as wide as the view.
+  if (index.data(LibraryModel::HeadingRole).toBool())
+    return {view ? view->viewport()->width() - 2 * spacing - 1 : m_tile, option.fontMetrics.height() + 3 * margin};
+  // The columns share the width: a strip on the right would be lost for the names. The scroll bar has its place whether
+  // it is there or not; the view lays out its items before it knows.
+  const int bar = view ? view->verticalScrollBar()->sizeHint().width() : 0;
+  const int room = view ? view->maximumViewportSize().width() - bar - spacing - 1 : narrowest;
+  const int columns = std::max(1, room / (narrowest + spacing));
+  return {std::max(narrowest, room / columns - spacing),
+          m_tile + labelLines * option.fontMetrics.height() +
+              QFontMetrics(sized(option.font, TextSize::small)).height() + 3 * margin};
 }
 
 void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -155,6 +176,7 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
                       m_tile);
   const QPixmap pixmap = index.data(Qt::DecorationRole).value<QPixmap>();
   const bool failed = !index.data(LibraryModel::FailureRole).toString().isEmpty();
+  paintGround(*painter, picture, text);
   if (pixmap.isNull())
     paintPlaceholder(*painter, picture, text, failed);
   else
@@ -164,11 +186,10 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
                     labelLines * option.fontMetrics.height());
   painter->setPen(text);
   painter->setFont(option.font);
-  const QString name = shownName(index.data().toString(), option.fontMetrics, label.width());
-  painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, name);
+  const QString name = shownName(index.data().toString(), option.fontMetrics, label);
+  painter->drawText(label, labelFlags, name);
   // Directly below the name, of one line or two.
-  const int nameHeight =
-      option.fontMetrics.boundingRect(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, name).height();
+  const int nameHeight = option.fontMetrics.boundingRect(label, labelFlags, name).height();
   const QRect badge(label.left(), label.top() + std::min(nameHeight, label.height()), label.width(),
                     option.rect.bottom() - label.top() - nameHeight);
   paintBadge(*painter, option, badge,

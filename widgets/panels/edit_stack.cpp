@@ -220,6 +220,11 @@ EditStack::EditStack(QWidget* parent)
       m_add(new QToolButton) {
   m_empty->setWordWrap(true);
   m_empty->setForegroundRole(QPalette::PlaceholderText);
+  m_empty->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // As high as the first edit, which appears while a slider is dragged: nothing moves under the hand.
+  EditRow first;
+  first.show({.name = QStringLiteral("-"), .effect = QStringLiteral("-")});
+  m_empty->setMinimumHeight(first.sizeHint().height() + 2 * m_list->frameWidth());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_list);

@@ -144,7 +144,8 @@ const ComparisonController::Named* ComparisonController::pairSide(ComparedSubjec
 
 void ComparisonController::dismissStandIn() {
   if (m_pair) return endPair();
-  if (const auto kind = standIn()) Q_EMIT standInDismissed(*kind);
+  if (const auto kind = standIn()) return Q_EMIT standInDismissed(*kind);
+  if (code()) Q_EMIT codeDismissed();
 }
 
 void ComparisonController::showBanner() {
@@ -153,6 +154,11 @@ void ComparisonController::showBanner() {
         tr("Showing %1 against %2").arg(m_pair->subjects[0].name, m_pair->subjects[1].name),
         tr("Back to the Material"));
   const auto kind = standIn();
+  if (!kind && code())
+    return m_preview.overlay()->setBanner(tr("Showing a code of %1 with %2 coefficients")
+                                              .arg(widgets::spacedName(m_document.name()))
+                                              .arg(code()->coefficients),
+                                          tr("Back to the Measurement"));
   if (!kind) return m_preview.overlay()->setBanner({}, {});
   const QString what = *kind == StandIn::blend ? tr("the blend %1").arg(standInName()) : standInName();
   if (!m_document.material())

@@ -69,8 +69,8 @@ class ComparisonController : public QObject {
   /// The stand-in that is shown; nullopt: the edited material.
   std::optional<StandIn> standIn() const;
   QString standInName() const;
-  /// Ends the comparison started by setPair(). Without one, emits standInDismissed(), so that the owner of the stand-in
-  /// removes it.
+  /// Ends the comparison started by setPair(). Without one, emits standInDismissed() or codeDismissed(), so that the
+  /// owner of the stand-in or of the code removes it.
   void dismissStandIn();
 
   /// A subject that is not part of the document.
@@ -94,6 +94,8 @@ class ComparisonController : public QObject {
   void comparisonChanged();
   /// The user wants to see the document's material again.
   void standInDismissed(gonio::app::StandIn kind);
+  /// The user wants to see the measurement in place of the code.
+  void codeDismissed();
   /// The user wants to choose another material.
   void referenceRequested();
   void failed(const QString& title, const QString& text);

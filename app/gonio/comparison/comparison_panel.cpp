@@ -20,7 +20,7 @@ namespace {
 const QString comparisonKey = QStringLiteral("comparison");
 /// After the last change: while the hand moves nothing is measured.
 constexpr int comparisonDelayMilliseconds = 250;
-constexpr int columnCount = 4, valueColumn = 1, meaningColumn = 3;
+constexpr int columnCount = 4, valueColumn = 1, unitColumn = 2, meaningColumn = 3;
 
 struct Measured {
   ComparisonReferencePtr reference;
@@ -147,17 +147,22 @@ void ComparisonPanel::fillTable(const Shown& shown) {
   m_copy->setEnabled(shown.numbers && shown.current);
 }
 
-/// The formula of a metric is typeset by a label over its cell.
+/// The formula of a metric and its unit are typeset by labels over their cells.
 void ComparisonPanel::showFormula(int row, const ComparisonLine& line) {
-  if (line.formulaHtml.isEmpty()) return m_table->removeCellWidget(row, meaningColumn);
-  m_table->item(row, meaningColumn)->setText({});
-  m_table->item(row, meaningColumn)->setData(Qt::AccessibleTextRole, line.meaning);
-  auto* label = qobject_cast<QLabel*>(m_table->cellWidget(row, meaningColumn));
-  if (!label) m_table->setCellWidget(row, meaningColumn, label = new QLabel);
-  label->setTextFormat(Qt::RichText);
-  label->setContentsMargins(3, 0, 3, 0);
-  label->setText(widgets::formulaHtml(line.meaning.toStdString()));
-  widgets::setRichToolTip(*label, line.formulaHtml);
+  for (const auto& [column, text] : {std::pair(unitColumn, line.unit), {meaningColumn, line.meaning}}) {
+    if (line.formulaHtml.isEmpty()) {
+      m_table->removeCellWidget(row, column);
+      continue;
+    }
+    m_table->item(row, column)->setText({});
+    m_table->item(row, column)->setData(Qt::AccessibleTextRole, text);
+    auto* label = qobject_cast<QLabel*>(m_table->cellWidget(row, column));
+    if (!label) m_table->setCellWidget(row, column, label = new QLabel);
+    label->setTextFormat(Qt::RichText);
+    label->setContentsMargins(3, 0, 3, 0);
+    label->setText(widgets::formulaHtml(text.toStdString()));
+    widgets::setRichToolTip(*label, line.formulaHtml);
+  }
 }
 
 void ComparisonPanel::copy() {

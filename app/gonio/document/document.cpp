@@ -3,6 +3,7 @@
 #include "app/gonio/document/document.h"
 
 #include <QFileInfo>
+#include <QStandardPaths>
 #include <algorithm>
 
 #include "core/editing/edit_list.h"
@@ -195,9 +196,13 @@ materials::EditedMaterial Document::edited() const {
 }
 
 QString Document::folder() const {
-  if (!path().isEmpty()) return QFileInfo(path()).absolutePath();
-  const QFileInfo source(material() ? QString::fromStdString(material()->material.source.path.string()) : QString());
-  return source.isFile() ? source.absolutePath() : QString();
+  const QString source = material() ? QString::fromStdString(material()->material.source.path.string()) : QString();
+  const QFileInfo file(path().isEmpty() ? source : path());
+  if (path().isEmpty() && !file.isFile()) return {};
+  const QString folder = file.absolutePath();
+  // Acquired materials and those saved in the library are files that nobody looks for.
+  const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QLatin1Char('/');
+  return folder.startsWith(own) ? QString() : folder;
 }
 
 editing::EditList Document::describedEdits() const { return path().isEmpty() ? edits() : editing::EditList(); }

@@ -74,7 +74,8 @@ class Document : public QObject {
   QString path() const { return m_content.path; }
   /// Name for titles: of the file, else of the material, else "Untitled".
   QString name() const;
-  /// The folder of the document's file; of the measured file if it was never saved; empty if there is neither.
+  /// The folder of the document's file; of the measured file if it was never saved. Empty if there is neither, or if
+  /// the folder belongs to Gonio's own data (acquired materials, materials saved in the library).
   QString folder() const;
   /// The edits that a proposed file name describes. Empty if the document has a file, because then the name of that
   /// file is proposed.

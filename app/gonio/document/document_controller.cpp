@@ -191,20 +191,21 @@ void DocumentController::automaticFit() {
 
 void DocumentController::compareWithSeveralLobes(const fitting::FitResult& single) {
   const models::Model& model = models::findModel("layered");
-  const QString name = widgets::toQString(model.spec().name), before = widgets::toQString(single.model->spec().name);
+  const QString name = widgets::toQString(model.spec().name);
   m_tasks.run<fitting::FitResult>(
       {tr("Fitting %1 for comparison").arg(name), lobesKey, true},
       [material = m_document.material(), &model](const TaskControl& control) {
         return fitting::fit(material->fitBase(control), model, {}, control);
       },
-      [this, name, before, &model = *single.model, error = single.errors.front()](const fitting::FitResult& fit) {
+      [this, name, &model = *single.model, error = single.errors.front()](const fitting::FitResult& fit) {
         if (fit.cancelled) return;
         m_document.rememberFit(fit);
         const auto* active = m_document.active<editing::DifferentialEdit>();
         if (!active || active->model != &model || !(fit.errors.front() < muchCloser * error)) return;
         m_proposal = fit;
         Q_EMIT proposalOffered(
-            tr("%1 matches this material more closely than %2. Use it for this edit?").arg(name, before));
+            tr("This material has several highlights, such as paint under a coat. Use sliders for each of them (%1)?")
+                .arg(name));
       },
       [](const QString&) {});
 }
@@ -224,7 +225,6 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
       [this, name, done = std::move(done)](const fitting::FitResult& fit) {
         if (!fit.cancelled) {
           m_document.rememberFit(fit);
-          for (const std::string& warning : fit.warnings) Q_EMIT warned(QString::fromStdString(warning));
           return done(fit);
         }
         m_proposal = fit;
@@ -245,7 +245,7 @@ void DocumentController::chooseModel(const models::Model& model) {
     if (!active || active->model != &model) m_document.chooseFit(*known);
     return;
   }
-  runFit(model, [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); });
+  runFit(model, [this](const fitting::FitResult& fit) { useFit(fit); });
 }
 
 void DocumentController::addModelEdit() {
@@ -258,11 +258,21 @@ void DocumentController::addModelEdit() {
 }
 
 void DocumentController::fit() {
-  const auto use = [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); };
+  const auto use = [this](const fitting::FitResult& fit) { useFit(fit); };
   if (const auto* active = m_document.active<editing::DifferentialEdit>())
     runFit(*active->model, use, active->edited);
   else
     runFit(defaultModel(), use);
+}
+
+/// For fits that the user chose. The warnings of the automatic fit are shown with its errors (costDetails()).
+void DocumentController::useFit(const fitting::FitResult& fit) {
+  warnAbout(fit);
+  m_document.chooseFit(fit);
+}
+
+void DocumentController::warnAbout(const fitting::FitResult& fit) {
+  for (const std::string& warning : fit.warnings) Q_EMIT warned(QString::fromStdString(warning));
 }
 
 void DocumentController::applyProposal() {
@@ -324,7 +334,7 @@ void DocumentController::install(const Pasted& pasted) {
   if (!pasted.fits.empty()) m_tasks.drop(fitKey);  // a fit under way would replace what is pasted
   for (const fitting::FitResult& fit : pasted.fits) {
     m_document.rememberFit(fit);
-    for (const std::string& warning : fit.warnings) Q_EMIT warned(QString::fromStdString(warning));
+    warnAbout(fit);
   }
   editing::EditList edits = pasted.edits;
   for (editing::Edit& edit : edits)

@@ -117,6 +117,8 @@ class DocumentController : public QObject {
   void install(const Opened& opened);
   void offerChangedSource(Opened opened);
   /// @param choices the choices to use, as for fitting::fit().
+  void useFit(const fitting::FitResult& fit);
+  void warnAbout(const fitting::FitResult& fit);
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
   void dropTasks();

@@ -113,7 +113,8 @@ QStringList BatchDialog::existing() const {
 }
 
 void BatchDialog::showFiles() {
-  m_description->setText(widgets::toQString(target().limitations));
+  m_description->setText(widgets::toQString(target().purpose));
+  m_description->setToolTip(widgets::toQString(target().limitations));
   const bool hasFolder = QFileInfo(m_folder->text()).isDir();
   const QStringList there = existing();
   const bool blocked = !there.isEmpty() && !m_replace->isChecked();

@@ -361,10 +361,9 @@ void ExportDialog::showTrial() {
     item->setText(bytesColumn, of ? exportBytesText(of->made.bytes()) : QString());
   }
   const ExportTrialPtr shown = trial();
-  const QString label = widgets::toQString(target().label);
   const QImage expected = shown ? QImage() : m_controller.expected(m_material, target());
   m_pictures->setPictures(m_controller.picture(m_material), shown ? shown->exported : expected);
-  m_pictures->setExportedName(expected.isNull() ? tr("Export for %1").arg(label) : tr("%1, expected").arg(label));
+  m_pictures->setExportedName(expected.isNull() ? tr("Export") : tr("Expected export"));
   QStringList numbers, warnings;
   if (!shown) {
     m_match->setText(m_error.isEmpty() ? tr("Preparing the export...") : m_error);

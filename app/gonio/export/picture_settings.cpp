@@ -36,8 +36,16 @@ QSpinBox* countField(int most, const QString& unit = {}) {
 PictureSettings::PictureSettings(const QSize& preview, QWidget* parent) : QWidget(parent), m_preview(preview) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
-  form->addRow(tr("&Size"), sizeRow());
-  form->addRow(tr("S&amples"), qualityRow());
+  // The keys of the labels give the first field of a row the focus.
+  const auto addRow = [form](const QString& text, auto* row, QWidget* first) {
+    auto* label = new QLabel(text);
+    label->setBuddy(first);
+    form->addRow(label, row);
+  };
+  QWidget* size = sizeRow();
+  addRow(tr("&Size"), size, m_sizes);
+  QWidget* quality = qualityRow();
+  addRow(tr("Sa&mples"), quality, m_samples);
   m_backgrounds = new QComboBox;
   m_backgrounds->addItems({tr("Environment"), tr("Transparent (alpha)"), tr("Colour")});
   m_colourButton = new QPushButton;
@@ -46,9 +54,7 @@ PictureSettings::PictureSettings(const QSize& preview, QWidget* parent) : QWidge
   auto* row = new QHBoxLayout;
   row->addWidget(m_backgrounds, 1);
   row->addWidget(m_colourButton);
-  auto* label = new QLabel(tr("&Background"));
-  label->setBuddy(m_backgrounds);
-  form->addRow(label, row);
+  addRow(tr("&Background"), row, m_backgrounds);
   connectParts();
 }
 
@@ -69,7 +75,6 @@ QWidget* PictureSettings::sizeRow() {
   row->addWidget(m_width);
   row->addWidget(new QLabel(QStringLiteral("x")));
   row->addWidget(m_height);
-  box->setFocusProxy(m_sizes);
   return box;
 }
 
@@ -86,7 +91,6 @@ QWidget* PictureSettings::qualityRow() {
   row->addWidget(m_samples, 1);
   row->addWidget(m_limited);
   row->addWidget(m_seconds);
-  box->setFocusProxy(m_samples);
   return box;
 }
 

@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QScrollBar>
 #include <QSettings>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -398,6 +399,8 @@ void Inspector::reveal(QWidget& row) {
 
 void Inspector::unfoldRepresentation() {
   for (const QString& key : {detailsKey, representationKey}) m_sections[key]->setExpanded(true);
+  // Once the section has its place.
+  QTimer::singleShot(0, this, [this] { ensureWidgetVisible(m_sections[representationKey]); });
 }
 
 void Inspector::saveState(QSettings& settings) const {

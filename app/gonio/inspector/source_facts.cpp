@@ -150,12 +150,17 @@ QString costLine(const CostMonitor::Costs& costs) {
 
 QString costDetails(const CostMonitor::Costs& costs, const fitting::FitResult* fit) {
   QStringList lines;
+  if (costs.fitBytes > 0)
+    lines << SourceFactsText::tr(
+        "Match: how closely the model behind the sliders resembles the measurement. The image "
+        "shows the measurement itself; the model computes only what an edit changes.");
   // A line that came and went would move the rows below it under the hand.
   if (costs.fitBytes > 0)
     lines << SourceFactsText::tr("Rendered SNR of the fit: %1")
                  .arg(costs.fitSnr ? SourceFactsText::tr("%1 dB").arg(snrText(*costs.fitSnr))
                                    : SourceFactsText::tr("measuring"));
   if (fit) {
+    for (const std::string& warning : fit->warnings) lines << QString::fromStdString(warning);
     const auto metrics = metrics::allBrdfMetrics();
     for (std::size_t i = 0; i < fit->errors.size(); ++i) {
       const std::string_view name = metrics::metricId(metrics[i]);

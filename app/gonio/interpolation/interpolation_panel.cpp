@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/interpolation/blend_overview.h"
 #include "app/gonio/interpolation/blend_slots.h"
 #include "widgets/interpolation/blend_pad.h"
@@ -182,10 +183,10 @@ void InterpolationPanel::showExplanation() {
     text += '\n' + (present ? tr("The blend takes %1. ").arg(widgets::timesText(*present))
                             : tr("At equal weights, the blend takes %1. ").arg(widgets::timesText(cost->middle)));
     if (!present && isVisible()) m_rest.start();
-    text +=
-        std::isfinite(cost->lowestEndSnr)
-            ? tr("At its ends it differs from the materials: rendered SNR %1 dB.").arg(cost->lowestEndSnr, 0, 'f', 1)
-            : tr("Its ends are the materials.");
+    text += std::isfinite(cost->lowestEndSnr) ? tr("Match with the materials at its ends: %1 (%2 dB).")
+                                                    .arg(matchWord(cost->lowestEndSnr))
+                                                    .arg(cost->lowestEndSnr, 0, 'f', 1)
+                                              : tr("Its ends are the materials.");
   }
   m_positionEditor->setExplanation(text);
 }

@@ -151,8 +151,8 @@ const auto costsKey = QStringLiteral("effect costs"), renderReferenceKey = QStri
 constexpr int planCheckDelayMilliseconds = 600;
 /// As many as the GPU simulates.
 constexpr int shownReflections = 8;
-/// The entries of the list of scenes have the UpAxis with which they were last shown.
-constexpr int upRole = Qt::UserRole + 1;
+/// The entries of the list of scenes have the up axis and the turns with which they were last shown.
+constexpr int upRole = Qt::UserRole + 1, turnsRole = Qt::UserRole + 2;
 
 /// The materials with the sampling densities of a method; each is prepared once, though several objects may have it.
 rendering::RenderMaterials sampledMaterials(const rendering::RenderMaterials& materials, const std::string& method,
@@ -197,6 +197,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_sampling(new QComboBox),
       m_description(new QLabel),
       m_result(new QLabel),
+      m_turn(new QPushButton(tr("&Turn"))),
       m_measure(new QPushButton(tr("Meas&ure Effects"))),
       m_compare(new QPushButton(tr("&Compare with Reference"))),
       m_reflections(new QSpinBox),
@@ -250,10 +251,15 @@ QWidget* ScenePanel::buildTop() {
     m_up->addItem(text, int(up));
   m_up->setAccessibleName(tr("Up axis"));
   m_up->setToolTip(tr("Axis of the mesh that points up. Choose Z up if the mesh lies on its back"));
-  for (QWidget* part : std::initializer_list<QWidget*>{label, m_scenes, openFile, m_up}) layout->addWidget(part);
+  m_turn->setAccessibleName(tr("Turn mesh"));
+  m_turn->setToolTip(
+      tr("Turns the mesh by 90 degrees about the axis that points up. Use it if the mesh shows its side or its back"));
+  for (QWidget* part : std::initializer_list<QWidget*>{label, m_scenes, openFile, m_up, m_turn})
+    layout->addWidget(part);
   layout->addWidget(m_description, 1);
   connect(m_up, &QComboBox::activated, this,
           [this] { open(m_scenes->currentData().toString(), rendering::UpAxis(m_up->currentData().toInt())); });
+  connect(m_turn, &QPushButton::clicked, this, &ScenePanel::turnMesh);
   connect(m_scenes, &QComboBox::activated, this, [this] { open(m_scenes->currentData().toString()); });
   connect(openFile, &QPushButton::clicked, this, &ScenePanel::askForFile);
   return top;
@@ -310,15 +316,16 @@ void ScenePanel::askForFile() {
   if (!path.isEmpty()) open(path);
 }
 
-void ScenePanel::open(const QString& nameOrPath, std::optional<rendering::UpAxis> up,
+void ScenePanel::open(const QString& nameOrPath, std::optional<rendering::MeshPose> pose,
                       const std::function<void()>& shown) {
   const int known = m_scenes->findData(nameOrPath);
-  if (!up && known >= 0) up = rendering::UpAxis(m_scenes->itemData(known, upRole).toInt());
+  if (!pose && known >= 0)
+    pose = {rendering::UpAxis(m_scenes->itemData(known, upRole).toInt()), m_scenes->itemData(known, turnsRole).toInt()};
   m_tasks.run<rendering::Scene>(
       {tr("Reading the scene %1").arg(nameOrPath.section('/', -1)), QStringLiteral("scene")},
-      [nameOrPath, up](const TaskControl&) {
+      [nameOrPath, pose](const TaskControl&) {
         return rendering::openScene(nameOrPath.toStdString(), 1 + SceneMaterialSlots::count,
-                                    up.value_or(rendering::UpAxis::y));
+                                    pose.value_or(rendering::MeshPose()));
       },
       [this, shown](const rendering::Scene& scene) {
         show(scene);
@@ -331,6 +338,14 @@ void ScenePanel::open(const QString& nameOrPath, std::optional<rendering::UpAxis
       });
 }
 
+bool ScenePanel::showsMesh() const { return io::isMeshFile(m_preview.content().scene().source); }
+
+void ScenePanel::turnMesh() {
+  rendering::MeshPose pose = m_preview.content().scene().pose;
+  pose.quarterTurns = (pose.quarterTurns + 1) % 4;
+  open(m_scenes->currentData().toString(), pose);
+}
+
 void ScenePanel::show(const rendering::Scene& scene) {
   m_costs.reset();
   m_preview.content().showScene(scene);
@@ -341,9 +356,10 @@ void ScenePanel::showScene(const rendering::Scene& scene) {
   const QString source = QString::fromStdString(scene.source);
   if (!source.isEmpty() && m_scenes->findData(source) < 0) m_scenes->addItem(source.section('/', -1), source);
   m_scenes->setCurrentIndex(m_scenes->findData(source));
-  m_scenes->setItemData(m_scenes->currentIndex(), int(scene.up), upRole);
-  m_up->setCurrentIndex(m_up->findData(int(scene.up)));
-  m_up->setVisible(io::isMeshFile(scene.source));
+  m_scenes->setItemData(m_scenes->currentIndex(), int(scene.pose.up), upRole);
+  m_scenes->setItemData(m_scenes->currentIndex(), scene.pose.quarterTurns, turnsRole);
+  m_up->setCurrentIndex(m_up->findData(int(scene.pose.up)));
+  for (QWidget* part : std::initializer_list<QWidget*>{m_up, m_turn}) part->setVisible(showsMesh());
   m_description->setText(QString::fromStdString(scene.description));
   m_description->setToolTip(m_description->text());
   m_otherSlots->showScene(scene);

@@ -81,11 +81,14 @@ class ScenePanel : public QWidget {
   ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   /// Opens a bundled scene, a scene file or a mesh: reads it in the background and shows it, then calls `shown`.
-  /// @param up of a mesh; nothing: as it was last shown, y at first.
-  void open(const QString& nameOrPath, std::optional<rendering::UpAxis> up = {},
+  /// @param pose of a mesh; nothing: as it was last shown.
+  void open(const QString& nameOrPath, std::optional<rendering::MeshPose> pose = {},
             const std::function<void()>& shown = {});
   /// Asks the user for a file and opens it.
   void askForFile();
+  /// Whether the scene is a mesh, which turnMesh() turns by 90 degrees about the axis that points up.
+  bool showsMesh() const;
+  void turnMesh();
   SceneMaterialSlots& otherSlots() const { return *m_otherSlots; }
   const std::optional<rendering::EffectCosts>& costs() const { return m_costs; }
   QString result() const;
@@ -111,7 +114,7 @@ class ScenePanel : public QWidget {
   BackgroundTasks& m_tasks;
   QComboBox *m_scenes, *m_up, *m_sampling;
   QLabel *m_description, *m_result;
-  QPushButton *m_measure, *m_compare;
+  QPushButton *m_turn, *m_measure, *m_compare;
   QSpinBox* m_reflections;
   SceneMaterialSlots* m_otherSlots;
   widgets::EffectList* m_effects;

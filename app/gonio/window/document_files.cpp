@@ -133,7 +133,8 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
   rendering::Scene scene = preview.content().scene();
   const Direction toLight = lightOf(scene);
   nlohmann::json view{{"scene", scene.source},
-                      {"sceneUp", std::string(rendering::upAxisName(scene.up))},
+                      {"sceneUp", std::string(rendering::upAxisName(scene.pose.up))},
+                      {"sceneTurns", scene.pose.quarterTurns},
                       {"lightX", toLight.x},
                       {"lightY", toLight.y},
                       {"lightZ", toLight.z},
@@ -152,9 +153,11 @@ QString sceneNameOf(const nlohmann::json& view) {
   return QString::fromStdString(scene.empty() ? rendering::bundledSceneNames().front() : scene);
 }
 
-rendering::UpAxis sceneUpOf(const nlohmann::json& view) {
-  const bool isZ = view.is_object() && view.contains("sceneUp") && view["sceneUp"] == "z";
-  return isZ && io::isMeshFile(sceneNameOf(view).toStdString()) ? rendering::UpAxis::z : rendering::UpAxis::y;
+rendering::MeshPose scenePoseOf(const nlohmann::json& view) {
+  if (!view.is_object() || !io::isMeshFile(sceneNameOf(view).toStdString())) return {};
+  const bool isZ = view.contains("sceneUp") && view["sceneUp"] == "z";
+  const bool turns = view.contains("sceneTurns") && view["sceneTurns"].is_number_integer();
+  return {isZ ? rendering::UpAxis::z : rendering::UpAxis::y, turns ? view["sceneTurns"].get<int>() & 3 : 0};
 }
 
 DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
@@ -193,7 +196,7 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
 }
 
 void DocumentFiles::restoreView(const nlohmann::json& view) {
-  m_parts.scene.open(sceneNameOf(view), sceneUpOf(view), [this, view] {
+  m_parts.scene.open(sceneNameOf(view), scenePoseOf(view), [this, view] {
     restoreCamera(m_parts.preview, view);
     const auto stored = environmentOf(view);
     if (stored && *stored != m_parts.environment.name()) m_parts.environment.open(*stored);

@@ -35,8 +35,8 @@ struct FileSave;
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview);
 /// The scene of a view; the single sphere if it does not name one.
 QString sceneNameOf(const nlohmann::json& view);
-/// The up axis of its mesh; y if it is not stored.
-rendering::UpAxis sceneUpOf(const nlohmann::json& view);
+/// How its mesh stands; y up and without turns if it is not stored.
+rendering::MeshPose scenePoseOf(const nlohmann::json& view);
 
 /// The user interface for files: opening, saving and exporting with their dialogs, recent files, and copies of unsaved
 /// work.

@@ -103,6 +103,8 @@ void EditorParts::connectStandIns() {
   QObject::connect(&study, &StudyWindow::writeRequested, &exports, &FileExports::save);
   QObject::connect(representation, &RepresentationPanel::shownChanged, &comparison,
                    [this, representation] { comparison.setCode(representation->shown()); });
+  QObject::connect(&comparison, &ComparisonController::codeDismissed, representation,
+                   [representation] { representation->showEncoded().setChecked(false); });
   const WavelengthPanel* wavelength = inspector.wavelength();
   QObject::connect(wavelength, &WavelengthPanel::subjectsChanged, &comparison,
                    [this, wavelength] { comparison.setWavelength(wavelength->subjects()); });

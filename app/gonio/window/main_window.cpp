@@ -210,6 +210,7 @@ void MainWindow::showPictureMenu(const QPoint& place) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   m_actions->update();
   for (const char* id : {"frame", "reset-view", "overlay", "noise", "light"}) menu->addAction(m_actions->action(id));
+  if (m_parts.scene.showsMesh()) menu->addAction(tr("Turn Mesh"), &m_parts.scene, &ScenePanel::turnMesh);
   menu->addSeparator();
   menu->addAction(tr("Toggle Comparison"), &m_parts.comparison, &ComparisonController::toggle);
   menu->addAction(tr("Copy Image"), this, [this] {

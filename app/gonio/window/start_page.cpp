@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gonio/document/material_files.h"
 #include "widgets/inputs/flow_layout.h"
@@ -25,6 +26,9 @@ namespace {
 constexpr int maxRecent = 5;
 /// Heights of a line.
 constexpr QSizeF materialSize(6, 6), kindSize(9.6, 6);
+constexpr double maxScale = 2;
+/// In heights of a line: the margins, and what stands beside and between the pictures of a row and of a column.
+constexpr int pageMargin = 2, besidePictures = 6, betweenPictures = 22;
 
 QFont boldFont(QFont font) {
   font.setBold(true);
@@ -45,7 +49,13 @@ StartTile::StartTile(const QString& picture, const QSizeF& size, const QString& 
   setAttribute(Qt::WA_Hover);
 }
 
-QSize StartTile::pictureSize() const { return (m_size * fontMetrics().height()).toSize(); }
+void StartTile::setScale(double scale) {
+  if (scale == m_scale) return;
+  m_scale = scale;
+  updateGeometry();
+}
+
+QSize StartTile::pictureSize() const { return (m_size * m_scale * fontMetrics().height()).toSize(); }
 
 QSize StartTile::sizeHint() const {
   const int line = fontMetrics().height();
@@ -101,7 +111,6 @@ StartPage::StartPage(const RecentFiles& recent, QWidget* parent)
   auto* content = new QWidget;
   m_column = new QVBoxLayout(content);
   const int line = fontMetrics().height();
-  m_column->setContentsMargins(2 * line, 2 * line, 2 * line, 2 * line);
   m_column->setSpacing(line / 2);
   m_title->setFont(widgets::sized(font(), widgets::TextSize::large));
   m_title->setTextFormat(Qt::PlainText);
@@ -198,6 +207,21 @@ void StartPage::setWanted(bool wanted) {
 
 void StartPage::setOpening(const QString& name) {
   m_title->setText(name.isEmpty() ? tr("Open a material to start") : tr("Opening %1...").arg(name));
+}
+
+/// Pictures as large as a row of all materials and the two rows of pictures permit; the page is in the middle.
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int line = fontMetrics().height();
+  const double across = double(width()) / line - 2 * pageMargin - besidePictures,
+               down = double(height()) / line - betweenPictures;
+  const double scale = std::clamp(
+      std::min(across / (double(materials().size()) * materialSize.width()), down / (2 * materialSize.height())), 1.0,
+      maxScale);
+  for (StartTile* tile : findChildren<StartTile*>()) tile->setScale(scale);
+  const double row = double(materials().size()) * scale * materialSize.width() + besidePictures;
+  const int beside = std::max(pageMargin * line, int(width() - row * line) / 2);
+  m_column->setContentsMargins(beside, pageMargin * line, pageMargin * line, pageMargin * line);
 }
 
 bool StartPage::eventFilter(QObject*, QEvent* event) {

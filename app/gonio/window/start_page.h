@@ -24,6 +24,8 @@ class StartTile : public QAbstractButton {
   /// @param size of the picture, in heights of a line.
   StartTile(const QString& picture, const QSizeF& size, const QString& name, const QString& sentence = {});
 
+  /// Enlarges the picture; 1 at first.
+  void setScale(double scale);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -35,11 +37,12 @@ class StartTile : public QAbstractButton {
 
   QPixmap m_picture;
   QSizeF m_size;
+  double m_scale = 1;
   QString m_sentence;
 };
 
 /// What the viewport shows while nothing is open: recent files, six materials, Open, and one picture for each kind of
-/// editing. It covers its parent.
+/// editing. It covers its parent, with larger pictures where there is room.
 class StartPage : public QWidget {
   Q_OBJECT
 
@@ -62,6 +65,7 @@ class StartPage : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void addHeading(const QString& text);

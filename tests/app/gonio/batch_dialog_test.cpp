@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QSignalSpy>
@@ -17,6 +18,7 @@
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/child.h"
 
 namespace batch_dialog_test {
 using namespace gonio;
@@ -55,6 +57,9 @@ class BatchDialogTest : public QObject {
     Editor editor;
     BatchDialog dialog(editor.controller, editor.settings, editor.ids, nullptr);
     QCOMPARE(dialog.target().id, std::string_view("csv"));
+    // The sentence that states when to choose the target; what it cannot represent is in the tool tip.
+    const QString purpose = QString::fromStdString(std::string(dialog.target().purpose));
+    QVERIFY(!purpose.isEmpty() && test::child<QLabel>(dialog, purpose));
     dialog.accept();
     QCOMPARE(editor.tasks.shown().size(), std::size_t(3));
     QVERIFY(editor.finish());

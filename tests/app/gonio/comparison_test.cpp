@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTest>
 #include <cmath>
 
@@ -64,6 +65,7 @@ class ComparisonTest : public QObject {
     editor.document.adoptFit(lambertFit(0.5));
     auto code = std::make_shared<MaterialCode>();
     code->material = editor.document.material();
+    code->coefficients = 64;
     code->table = lambertMaterial("decoded", 0.45)->table();
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
@@ -78,7 +80,13 @@ class ComparisonTest : public QObject {
     QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded, edited"));
     const auto edited = editor.comparison.subject(ComparedSubject::edited);
     QVERIFY(std::get<widgets::EditedMaterial>(edited.shown).edits == editor.document.edits());
-    editor.comparison.setCode(nullptr);
+    // The preview says so, with a button that asks for the measurement.
+    const widgets::PreviewBanner& banner = *editor.preview.overlay()->banner();
+    QVERIFY(!banner.isHidden() && banner.text().contains("grey") && banner.text().contains("64 coefficients"));
+    connect(&editor.comparison, &ComparisonController::codeDismissed, this,
+            [&editor] { editor.comparison.setCode(nullptr); });
+    banner.button()->click();
+    QVERIFY(banner.isHidden());
     QVERIFY(editor.comparison.subject(ComparedSubject::edited).base() == editor.document.material()->table());
     editor.comparison.setCode(code);
     editor.document.setMaterial(lambertMaterial("other", 0.3));
@@ -253,6 +261,27 @@ class ComparisonTest : public QObject {
     const auto& table = editor.document.material()->table();
     const auto expected = metrics::brdfErrors(*table, *editing::applyEdits(table, editor.document.edits()));
     QVERIFY(panel.numbers()->errors == expected);
+  }
+
+  /// Formulas and their units are typeset in the table: exponents are raised.
+  void unitsAreTypeset() {
+    Editor editor;
+    ComparisonPanel panel(editor.comparison, editor.tasks);
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    panel.show();
+    const auto* table = panel.findChild<QTableWidget*>();
+    QTRY_VERIFY(table->rowCount() > 0);
+    int typeset = 0;
+    for (const ComparisonLine& line : comparisonLines(nullptr)) {
+      if (!line.unit.contains('^')) continue;
+      const auto found = table->findItems(line.name, Qt::MatchExactly);
+      QCOMPARE(found.size(), 1);
+      const auto* unit = qobject_cast<QLabel*>(table->cellWidget(found.front()->row(), 2));
+      QVERIFY(unit && unit->text().contains("<sup>") && !unit->text().contains('^'));
+      ++typeset;
+    }
+    QVERIFY(typeset > 0);
   }
 
   /// A model as the reference is evaluated itself: a table of it differs by the rounding to single precision.

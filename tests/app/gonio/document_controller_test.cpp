@@ -399,7 +399,9 @@ class DocumentControllerTest : public QObject {
     QVERIFY(modelEdit(editor.document)->model == &models::ggx());
     QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
     QCOMPARE(offered.count(), 1);
-    QVERIFY(offered.front().front().toString().contains("Layered"));
+    // What an artist sees comes first, the name of the model last.
+    const QString question = offered.front().front().toString();
+    QVERIFY(question.startsWith("This material has several highlights") && question.contains("(Layered"));
     QVERIFY(modelEdit(editor.document)->model == &models::ggx() && !editor.document.isModified());
     editor.controller.applyProposal();
     QVERIFY(modelEdit(editor.document)->model == &models::findModel("layered"));

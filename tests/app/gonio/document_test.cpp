@@ -2,7 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/document/document.h"
 
+#include <QDir>
+#include <QFile>
 #include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 #include <cstring>
 
@@ -64,6 +68,29 @@ class DocumentTest : public QObject {
   int index(const char* id) const { return int(*models::ggx().spec().find(id)); }
 
  private Q_SLOTS:
+  /// Exports start beside the measured file, but not in a folder of Gonio's own data.
+  void theFolderOfTheUsersFiles() {
+    QStandardPaths::setTestModeEnabled(true);
+    const QTemporaryDir users;
+    const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/acquired";
+    QVERIFY(QDir().mkpath(own));
+    const std::pair<QString, QString> expected[] = {{users.path(), users.path()}, {own, QString()}};
+    for (const auto& [folder, shown] : expected) {
+      const QString path = folder + "/grey.binary";
+      QVERIFY(QFile(path).open(QIODevice::WriteOnly));
+      auto material = std::make_shared<LoadedMaterial>(*smallMaterial());
+      material->material.source.path = path.toStdString();
+      Document document;
+      document.setMaterial(material);
+      QCOMPARE(document.folder(), shown);
+      QFile::remove(path);
+    }
+    Document bundled;
+    bundled.setMaterial(smallMaterial());  // its file does not exist
+    QVERIFY(bundled.folder().isEmpty());
+    QStandardPaths::setTestModeEnabled(false);
+  }
+
   void init() {
     m_document = new Document;
     m_document->setMaterial(smallMaterial());

@@ -339,7 +339,15 @@ class MainWindowTest : public QObject {
       QVERIFY2(!materials::librarySha256(id.toStdString()).empty(), qPrintable(id));
       QVERIFY2(QFile::exists(":/start/" + materialName(id) + ".jpg"), qPrintable(id));
     }
-    QCOMPARE(page.findChildren<StartTile*>().size(), qsizetype(9));
+    const QList<StartTile*> tiles = page.findChildren<StartTile*>();
+    QCOMPARE(tiles.size(), qsizetype(9));
+    // A large page has larger pictures, and all materials still in one row.
+    page.resize(600, 500);
+    const QSize small = tiles.front()->sizeHint();
+    page.resize(1400, 1000);
+    QVERIFY(tiles.front()->sizeHint().width() > small.width() * 3 / 2);
+    QTRY_COMPARE(tiles[5]->mapTo(&page, QPoint()).y(), tiles[0]->mapTo(&page, QPoint()).y());
+    QVERIFY(tiles[5]->mapTo(&page, tiles[5]->rect().bottomRight()).x() < page.width());
     window->parts().document.setMaterial(greyMaterial());
     QVERIFY(!page.isVisible());
     delete window;

@@ -223,13 +223,39 @@ class ScenePanelTest : public QObject {
     activate(*up, 1);
     QTRY_VERIFY(isUpright());
     const nlohmann::json view = app::viewToJson(*preview_);
-    QVERIFY(app::sceneUpOf(view) == UpAxis::z && app::sceneUpOf({{"scene", path.string()}}) == UpAxis::y);
+    QVERIFY(app::scenePoseOf(view) == MeshPose(UpAxis::z));
+    QVERIFY(app::scenePoseOf({{"scene", path.string()}}) == MeshPose());
     choose("sphere");
     QTRY_COMPARE(content().scene().name, std::string("sphere"));
     QVERIFY(up->isHidden());
     choose(path.string().c_str());
     QTRY_VERIFY(isUpright());
     QCOMPARE(up->currentText(), QString("Z up"));
+  }
+
+  /// A mesh that shows its back is turned with a button; the turn belongs to the view, and to the mesh when it is
+  /// chosen again.
+  void aMeshIsTurnedToTheViewer() {
+    const std::string text = "v -1 0 1\nv 1 0 1\nv 0 1 1\nv 0 0 -3\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
+    const auto path = test::writeFile("scenes/back.obj", std::as_bytes(std::span(text)));
+    auto* turn = test::child<QPushButton>(*panel_, "Turn mesh");
+    const auto tip = [this] {
+      const auto* shape = std::get_if<MeshShape>(&content().scene().objects[0].shape);
+      return shape ? (*shape)->mesh().positions()[3] : glm::vec3(0);
+    };
+    QVERIFY(turn->isHidden());
+    panel_->open(QString::fromStdString(path.string()));
+    QTRY_COMPARE(content().scene().name, std::string("back"));
+    QVERIFY(!turn->isHidden() && tip().z < -0.5f);
+    turn->click();
+    QTRY_VERIFY(tip().x < -0.5f);
+    turn->click();
+    QTRY_VERIFY(tip().z > 0.5f);
+    QVERIFY(app::scenePoseOf(app::viewToJson(*preview_)) == MeshPose(UpAxis::y, 2));
+    choose("sphere");
+    QTRY_VERIFY(turn->isHidden());
+    choose(path.string().c_str());
+    QTRY_VERIFY(tip().z > 0.5f);
   }
 
  private:

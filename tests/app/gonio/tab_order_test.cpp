@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QAbstractButton>
 #include <QDockWidget>
+#include <QKeySequence>
+#include <QLabel>
+#include <QMap>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTabBar>
@@ -11,6 +15,7 @@
 #include "app/gonio/comparison/reference_dialog.h"
 #include "app/gonio/export/batch_dialog.h"
 #include "app/gonio/export/export_dialog.h"
+#include "app/gonio/export/image_dialog.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/inspector/inspector.h"
@@ -89,6 +94,23 @@ QStringList stepsBack(const QWidget& part) {
     QVERIFY2(found.isEmpty(), qPrintable(QStringLiteral(#part "\n") + found.join('\n'))); \
   } while (false)
 
+/// Keys (Alt and a letter) that lead nowhere or that two parts share, of what is visible.
+QStringList keyProblems(const QWidget& part, bool isDialog) {
+  QStringList found;
+  QMap<QString, QString> owners;
+  for (const QWidget* widget : part.findChildren<QWidget*>()) {
+    if (!widget->isVisible()) continue;
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    if (!(label && label->buddy()) && !qobject_cast<const QAbstractButton*>(widget)) continue;
+    const QString text = widget->property("text").toString(), key = QKeySequence::mnemonic(text).toString();
+    if (key.isEmpty()) continue;
+    if (label && label->buddy()->focusPolicy() == Qt::NoFocus) found << text + ": no field";
+    if (isDialog && owners.contains(key)) found << owners[key] + " and " + text;
+    owners[key] = text;
+  }
+  return found;
+}
+
 class TabOrderTest : public QObject {
   Q_OBJECT
 
@@ -131,7 +153,8 @@ class TabOrderTest : public QObject {
     for (const auto& [name, panel] : docks) {
       m_window->docks().show(name);
       QTest::qWait(20);
-      for (const QString& step : stepsBack(*panel)) back << QString(name) + ": " + step;
+      for (const QString& problem : stepsBack(*panel) + keyProblems(*panel, false))
+        back << QString(name) + ": " + problem;
     }
     QVERIFY2(back.isEmpty(), qPrintable('\n' + back.join('\n')));
     VERIFY_FOLLOWS_THE_EYE(parts.comparisonBar);
@@ -177,6 +200,15 @@ class TabOrderTest : public QObject {
     FigureDialog figure(parts.figureParts(), m_window);
     show(figure);
     VERIFY_FOLLOWS_THE_EYE(figure);
+    ImageDialog picture({parts.document, parts.exports, parts.tasks, parts.comparison, parts.preview, parts.settings},
+                        "glossy", m_window);
+    show(picture);
+    VERIFY_FOLLOWS_THE_EYE(picture);
+    QStringList problems;
+    for (const QWidget* dialog :
+         std::initializer_list<const QWidget*>{&preferences, &batch, &exporting, &reference, &figure, &picture})
+      for (const QString& problem : keyProblems(*dialog, true)) problems << dialog->windowTitle() + ": " + problem;
+    QVERIFY2(problems.isEmpty(), qPrintable('\n' + problems.join('\n')));
   }
 };
 

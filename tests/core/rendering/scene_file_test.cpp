@@ -321,7 +321,7 @@ class SceneFileTest : public QObject {
       const std::string text = box(x);
       const auto path = test::writeFile("scenes/upright.obj", std::as_bytes(std::span(text)));
       const Scene lying = openScene(path.string()), standing = openScene(path.string(), 1, UpAxis::z);
-      QVERIFY(lying.up == UpAxis::y && standing.up == UpAxis::z);
+      QVERIFY(lying.pose.up == UpAxis::y && standing.pose.up == UpAxis::z);
       QVERIFY(isShape(extentOf(lying), {1, 2, 4}) && isShape(extentOf(standing), {1, 4, 2}));
       // Only one vertex is at the top: it is the tip of the file, above the corner at the origin (front, left).
       const TriangleMesh& mesh = std::get<MeshShape>(standing.objects[0].shape)->mesh();
@@ -358,6 +358,24 @@ class SceneFileTest : public QObject {
     nlohmann::json bundled = scene();
     bundled["objects"][0] = {{"name", "a"}, {"shape", "mesh"}, {"mesh", "torus"}, {"up", "z"}};
     QVERIFY(errorOf(bundled).find("bundled meshes are y up") != std::string::npos);
+  }
+
+  /// A tooth whose tip is at the +z end of the file: quarter turns bring the tip to the right, the back and the left,
+  /// and move nothing else.
+  void meshesAreTurnedAboutTheUpAxis() {
+    const std::string text = "v -1 0 -1\nv 1 0 -1\nv 0 1 -1\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    const auto path = test::writeFile("scenes/turned.obj", std::as_bytes(std::span(text)));
+    const glm::dvec3 tips[] = {{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {-1, 0, 0}};
+    for (int turns = 0; turns < 4; ++turns) {
+      const Scene scene = openScene(path.string(), 1, {UpAxis::y, turns});
+      QCOMPARE(scene.pose.quarterTurns, turns);
+      const TriangleMesh& mesh = std::get<MeshShape>(scene.objects[0].shape)->mesh();
+      const glm::dvec3 towardsTip = glm::dvec3(mesh.positions()[3]) -
+                                    glm::dvec3(mesh.positions()[0] + mesh.positions()[1] + mesh.positions()[2]) / 3.0;
+      const glm::dvec3 along(towardsTip.x, 0, towardsTip.z);
+      QVERIFY(glm::length(glm::normalize(along) - tips[turns]) < 1e-6);
+      QVERIFY(mesh.volume() > 0);
+    }
   }
 
   void aMeshIsAScene() {
