@@ -63,7 +63,11 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
   if (!arguments.blender.empty()) {
     if (!arguments.target.starts_with("blender") && arguments.target != "principled")
       throw UsageError("export: --blender is for blender and principled: found --for " + arguments.target);
-    options.blender = arguments.blender[0] - '0';
+    const std::string series = arguments.blender.substr(0, arguments.blender.find('.'));
+    if (series != "3" && series != "4")
+      throw UsageError("export: --blender: found '" + arguments.blender +
+                       "', expected 3 or 4, or a version of these such as 3.4");
+    options.blender = series == "3" ? 3 : 4;
   }
   if (arguments.size == 0) return options;
   if (!target.usesSize)
@@ -153,12 +157,7 @@ void addExport(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 1 << 20));
   command
       ->add_option("--blender", options->blender, "Version of Blender that the export is for, such as 3.4 or 4.3 (4)")
-      ->check(CLI::Validator(
-          [](const std::string& version) {
-            const bool known = (version[0] == '3' || version[0] == '4') && (version.size() == 1 || version[1] == '.');
-            return known ? std::string() : "found " + version + ", expected 3 or 4, or a version of these: 3.4, 4.3";
-          },
-          "VERSION"));
+      ->type_name("VERSION");
   command
       ->add_option("--theta-count", options->thetaCount,
                    "Number of incident polar angles of a .bsdf file; needs --size")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QFile>
 #include <QFileInfo>
 #include <QTest>
 
@@ -48,13 +49,32 @@ class GoniotoolExportTest : public QObject {
   }
 
   void whatATargetCannotDoIsAnError() {
-    for (const QStringList& options : {QStringList{"--scene"}, QStringList{"--theta-count", "8", "--size", "8"}}) {
+    for (const QStringList& options :
+         {QStringList{"--scene"}, QStringList{"--theta-count", "8", "--size", "8"}, QStringList{"--blender", "4"}}) {
       const ToolResult result = runTool(QStringList{"export", plastic_, out("c"), "--for", "gltf"} + options);
       QVERIFY(result.code != 0 && result.error.contains(options[0]));
       QVERIFY(!QFileInfo::exists(out("c.gltf")));
     }
     const ToolResult unknown = runTool({"export", plastic_, out("c"), "--for", "paint"});
     QVERIFY(unknown.code != 0 && unknown.error.contains("--for"));
+    for (const char* version : {"2.8", "5", "43", "x"}) {
+      const ToolResult other = runTool({"export", plastic_, out("c"), "--for", "blender", "--blender", version});
+      QVERIFY(other.code == 2 && other.error.contains("expected 3 or 4"));
+    }
+  }
+
+  /// The script says for which series of Blender its values are.
+  void theSeriesOfBlenderIsChosen() {
+    for (const auto& [version, series] :
+         {std::pair("", "Blender 4"), std::pair("4.3", "Blender 4"), std::pair("3.4", "Blender 3")}) {
+      QStringList arguments{"export", plastic_, out("series"), "--for", "principled", "--samples", "8", "--force"};
+      if (*version) arguments << "--blender" << version;
+      const ToolResult result = runTool(arguments);
+      VERIFY_SUCCESS(result);
+      QFile script(out("series_principled.py"));
+      QVERIFY(script.open(QIODevice::ReadOnly));
+      QVERIFY(script.readAll().contains(QByteArray("For ") + series));
+    }
   }
 
   /// Whichever command writes an edited material: the same bytes, and the same accuracy.
