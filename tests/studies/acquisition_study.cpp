@@ -199,9 +199,9 @@ class Trial {
       AcquisitionRecord record = material.caseOf(selection.id, "two-arms", samples, 0);
       if (records_.contains(record)) return;
       const auto curves = acquisition::measureFactors(material.brdf(), {.axes = selection.axes,
-                                                                         .fixedAngle = 1,
-                                                                         .angles = (samples + 1) / 2,
-                                                                         .distances = std::max(2, samples / 2)});
+                                                                        .fixedAngle = 1,
+                                                                        .angles = (samples + 1) / 2,
+                                                                        .distances = std::max(2, samples / 2)});
       return add(material, record, *acquisition::predictFromFactors(curves, acquisition::FactorBound::none));
     }
     for (std::uint64_t seed = 1; seed <= (selection.draws ? std::uint64_t(options_.seeds) : 1); ++seed)
