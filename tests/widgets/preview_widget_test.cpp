@@ -56,6 +56,21 @@ class PreviewWidgetTest : public QObject {
     QCOMPARE(picture.pixel(2, 2), picture.pixel(110, 4));
   }
 
+  /// Who hears of a plan may request a picture: both plans are those of the scene, or the shader's objects have no
+  /// blockers.
+  void plansBelongToTheSceneWhenTheyAreAnnounced() {
+    int heard = 0;
+    const auto connection = connect(&content(), &PreviewContent::planChanged, this, [&] {
+      ++heard;
+      const PictureRequest request = content().request();
+      for (const PictureRequest::Side& side : request.sides)
+        QCOMPARE(side.plan.blockers.size(), request.scene.objects.size());
+    });
+    for (const char* name : {"row", "sphere", "two-spheres"}) content().setScene(rendering::openScene(name));
+    disconnect(connection);
+    QCOMPARE(heard, 3);
+  }
+
   /// The plan of a mesh says what it calls for; OpenGL draws it.
   void aMeshIsDrawn() {
     widget_->setFixedSize(96, 96);

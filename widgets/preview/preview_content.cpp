@@ -38,7 +38,7 @@ void PreviewContent::connectSide(PreviewSide& side) {
   connect(&side, &PreviewSide::failed, this, &PreviewContent::failed);
   connect(&side.tracer(), &SceneTracer::advanced, this, &PreviewContent::refined);
   connect(&side, &PreviewSide::estimated, this, [this, &side] {
-    plan(side);
+    side.setPlan(planOf(side));
     trace(side);
     if (&side == &m_first) Q_EMIT planChanged(side.plan());
     Q_EMIT refined();
@@ -69,22 +69,24 @@ bool PreviewContent::isComparing() const {
   return m_comparison.mode != CompareMode::off && !m_first.subject().isEmpty() && !m_second.subject().isEmpty();
 }
 
-/// Plans the effects that the side's picture simulates.
-void PreviewContent::plan(PreviewSide& side) {
+/// The effects that the side's picture simulates.
+rendering::EffectPlan PreviewContent::planOf(const PreviewSide& side) const {
   static const std::shared_ptr<const rendering::RenderMaterial> grey = rendering::diffuseMaterial(Rgb(0.5));
-  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, otherSlotMaterials(),
-                              m_thresholds));
+  return previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, otherSlotMaterials(),
+                     m_thresholds);
 }
 
-void PreviewContent::adoptPlan(PreviewSide& side, const rendering::EffectPlan& plan) {
-  const bool another = !(plan == side.plan());
-  side.setPlan(plan);
-  if (another && &side == &m_first) Q_EMIT planChanged(plan);
+/// Both before anybody hears of it: who does may request a picture, whose plans must be those of its scene.
+void PreviewContent::setPlans(const rendering::EffectPlan& first, const rendering::EffectPlan& second) {
+  const bool another = !(first == m_first.plan());
+  m_first.setPlan(first);
+  m_second.setPlan(second);
+  if (another) Q_EMIT planChanged(first);
 }
 
 void PreviewContent::setCheckedPlan(const rendering::EffectPlan& checked) {
   if (checked == m_first.plan()) return;
-  adoptPlan(m_first, checked);
+  setPlans(checked, m_second.plan());
   trace(m_first);
   Q_EMIT changed();
 }
@@ -117,18 +119,16 @@ void PreviewContent::showScene(const rendering::Scene& scene) {
 
 void PreviewContent::setScene(const rendering::Scene& scene) {
   m_scene = scene;
-  for (PreviewSide* side : {&m_first, &m_second}) plan(*side);
+  setPlans(planOf(m_first), planOf(m_second));
   notifySceneChange();
 }
 
 void PreviewContent::setView(const rendering::OrbitCamera& camera, double environmentRotation) {
   m_scene.camera = camera;
   m_scene.environmentRotation = environmentRotation;
-  for (PreviewSide* side : {&m_first, &m_second}) {
-    rendering::EffectPlan plan = side->plan();
-    rendering::updateForCamera(plan, m_scene, m_overrides);
-    adoptPlan(*side, plan);
-  }
+  rendering::EffectPlan first = m_first.plan(), second = m_second.plan();
+  for (rendering::EffectPlan* plan : {&first, &second}) rendering::updateForCamera(*plan, m_scene, m_overrides);
+  setPlans(first, second);
   notifySceneChange();
 }
 

@@ -109,8 +109,8 @@ class PreviewContent : public QObject {
  private:
   void show(PreviewSide& side, const PreviewSubject& subject, const QString& name);
   void connectSide(PreviewSide& side);
-  void plan(PreviewSide& side);
-  void adoptPlan(PreviewSide& side, const rendering::EffectPlan& plan);
+  rendering::EffectPlan planOf(const PreviewSide& side) const;
+  void setPlans(const rendering::EffectPlan& first, const rendering::EffectPlan& second);
   bool showsOtherSlotMaterials() const;
   void trace(PreviewSide& side);
   void traceBoth();
