@@ -10,6 +10,7 @@
 #include "widgets/acquisition/error_curve.h"
 #include "widgets/acquisition/half_difference_chart.h"
 #include "widgets/acquisition/hemisphere_chart.h"
+#include "widgets/acquisition/reconstruction_view.h"
 
 namespace acquisition_charts_test {
 using namespace gonio;
@@ -46,6 +47,24 @@ double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - 
 class AcquisitionChartsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  /// While there is no reconstruction, the hint stands above the picture of the material, not on it.
+  void theHintIsAboveThePicture() {
+    ReconstructionView view;
+    view.resize(300, 300);
+    QImage picture(64, 64, QImage::Format_RGBA8888);
+    picture.fill(Qt::red);
+    view.setContent({.reference = picture, .referenceName = "red"});
+    const double unhinted = view.squares().front().top();
+    view.setHint(QStringLiteral("Press Start to choose directions and to reconstruct the material from its values."));
+    const QRectF square = view.squares().front();
+    QVERIFY(square.top() > unhinted && square.top() >= 2 * view.fontMetrics().height());
+    QVERIFY(square.bottom() < view.height());
+    const QImage shown = view.grab().toImage();
+    QVERIFY(shown.pixelColor(square.center().toPoint()) == QColor(Qt::red));
+    view.setHint({});
+    QCOMPARE(view.squares().front().top(), unhinted);
+  }
+
   /// The polar angle is even along the radius, the azimuth turns against the clock.
   void theHemisphereIsSeenFromAbove() {
     Shown<HemisphereChart> shown;

@@ -15,6 +15,7 @@
 #include "tests/support/test_program.h"
 #include "widgets/preview/false_colour_legend.h"
 #include "widgets/preview/gl/scene_uniforms.h"
+#include "widgets/preview/picture_drawer.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
 
@@ -62,11 +63,11 @@ class PreviewWidgetTest : public QObject {
     int heard = 0;
     const auto connection = connect(&content(), &PreviewContent::planChanged, this, [&] {
       ++heard;
-      const PictureRequest request = content().request();
-      for (const PictureRequest::Side& side : request.sides)
+      const widgets::PictureRequest request = content().request();
+      for (const widgets::PictureRequest::Side& side : request.sides)
         QCOMPARE(side.plan.blockers.size(), request.scene.objects.size());
     });
-    for (const char* name : {"row", "sphere", "two-spheres"}) content().setScene(rendering::openScene(name));
+    for (const char* name : {"row", "sphere", "two-spheres"}) content().setScene(openScene(name));
     disconnect(connection);
     QCOMPARE(heard, 3);
   }

@@ -15,7 +15,15 @@ namespace gonio::widgets {
 
 namespace {
 constexpr double gapEms = 0.8, captionEms = 1.3, legendEms = 2.2;
+
+/// The place of the hint: the middle, or the top if pictures stand below it.
+QRect hintPlace(const QWidget& view, const QString& hint, bool isAbovePictures) {
+  const int em = view.fontMetrics().height();
+  QRect room = view.rect().adjusted(em, em / 2, -em, -em / 2);
+  if (isAbovePictures) room.setHeight(view.fontMetrics().boundingRect(room, Qt::TextWordWrap, hint).height());
+  return room;
 }
+}  // namespace
 
 ReconstructionView::ReconstructionView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Reconstruction beside its reference"));
@@ -50,18 +58,21 @@ QList<QRectF> ReconstructionView::squares() const {
   const double em = fontMetrics().height(), gap = gapEms * em;
   // Under each picture its caption; under the error map the legend too, for which all rows have room.
   const double below = (captionEms + (m_content.errorMap.isNull() ? 0 : legendEms)) * em;
+  const bool isHinted = m_content.reconstruction.isNull() && !m_hint.isEmpty();
+  const double above = isHinted && count > 0 ? hintPlace(*this, m_hint, true).bottom() : 0, room = height() - above;
   int columns = 1;
   double side = 0;
   for (int tried = 1; tried <= count; ++tried) {
     const int rows = (count + tried - 1) / tried;
-    const double fits = std::min((width() - gap * (tried + 1)) / tried, (height() - gap) / rows - below);
+    const double fits = std::min((width() - gap * (tried + 1)) / tried, (room - gap) / rows - below);
     if (fits <= side) continue;
     side = fits;
     columns = tried;
   }
   QList<QRectF> result;
   const double across = (side + gap) * std::min(columns, count) - gap, left = (width() - across) / 2;
-  const double up = (side + below) * ((count + columns - 1) / columns), top = std::max(gap / 2, (height() - up) / 2);
+  const double up = (side + below) * ((count + columns - 1) / columns),
+               top = above + std::max(gap / 2, (room - up) / 2);
   for (int i = 0; i < count; ++i)
     result << QRectF(left + (i % columns) * (side + gap), top + (i / columns) * (side + below), side, side);
   return result;
@@ -99,9 +110,7 @@ void ReconstructionView::paintEvent(QPaintEvent*) {
   if (!m_content.errorMap.isNull()) drawLegend(painter, places.back());
   if (!m_content.reconstruction.isNull() || m_hint.isEmpty()) return;
   painter.setPen(palette().color(QPalette::PlaceholderText));
-  const QRectF room = QRectF(rect()).adjusted(em, em, -em, -em);
-  painter.drawText(room, int(shown.empty() ? Qt::AlignCenter : Qt::AlignHCenter | Qt::AlignTop) | Qt::TextWordWrap,
-                   m_hint);
+  painter.drawText(hintPlace(*this, m_hint, !shown.empty()), Qt::AlignCenter | Qt::TextWordWrap, m_hint);
 }
 
 }  // namespace gonio::widgets

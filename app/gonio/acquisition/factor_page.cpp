@@ -17,6 +17,7 @@
 #include "app/gonio/acquisition/acquisition_files.h"
 #include "widgets/acquisition/reconstruction_view.h"
 #include "widgets/inputs/flow_layout.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/inputs/number_field.h"
 
 namespace gonio::app {
@@ -290,7 +291,7 @@ void FactorPage::showResult() {
   QStringList warnings;
   if (const AcquisitionReferencePtr& reference = m_session.referenceReader().reference()) {
     pictures.reference = reference->picture;
-    pictures.referenceName = reference->name;
+    pictures.referenceName = widgets::spacedName(reference->name);
   }
   if (m_result) {
     pictures.reconstruction = m_result->picture;

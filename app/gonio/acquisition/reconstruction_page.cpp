@@ -11,6 +11,7 @@
 
 #include "widgets/acquisition/error_curve.h"
 #include "widgets/acquisition/reconstruction_view.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/inputs/number_field.h"
 
 namespace gonio::app {
@@ -121,7 +122,7 @@ void ReconstructionPage::showResult() {
   widgets::ReconstructionView::Content content;
   if (const AcquisitionReferencePtr& reference = m_session.referenceReader().reference()) {
     content.reference = reference->picture;
-    content.referenceName = reference->name;
+    content.referenceName = widgets::spacedName(reference->name);
   }
   QStringList facts;
   if (const AcquisitionResultPtr& result = m_session.result()) {
