@@ -164,7 +164,7 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
         tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
         tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
         tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addFigure,
-        tool::addTrainNeural, tool::addReproduce})
+        tool::addTrainNeural, tool::addReproduce, tool::addPhotograph})
     add(app, tool);
   tool::checkValues(app);
   try {
