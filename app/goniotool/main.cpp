@@ -63,7 +63,7 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
         tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
         tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
         tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addFigure,
-        tool::addTrainNeural, tool::addReproduce})
+        tool::addTrainNeural, tool::addReproduce, tool::addPhotograph})
     add(app, tool);
   // For the build: prints a page of docs with its tables.
   app.add_option_function<std::string>("--complete-page",

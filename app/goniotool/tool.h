@@ -64,6 +64,7 @@ void addInterpolate(CLI::App& app, Tool& tool);
 void addPlan(CLI::App& app, Tool& tool);
 void addMeasure(CLI::App& app, Tool& tool);
 void addReconstruct(CLI::App& app, Tool& tool);
+void addPhotograph(CLI::App& app, Tool& tool);
 void addStudy(CLI::App& app, Tool& tool);
 void addFigure(CLI::App& app, Tool& tool);
 void addTrainNeural(CLI::App& app, Tool& tool);

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/brdf/data_transform.h"
+#include "core/io/image_io.h"
+#include "core/photograph/photograph_fit.h"
+#include "core/rendering/render_picture.h"
+
+namespace gonio::tool {
+
+namespace {
+
+struct PhotographFitArguments {
+  std::string description, out, basis, uncertainty;
+  std::vector<std::string> train, excluded;
+  int components = photograph::defaultPhotographComponents;
+  photograph::FitOptions fit;
+};
+
+std::shared_ptr<const TabulatedBrdf> channelDeviationTable(const dictionary::MappedCells& mapping,
+                                                           const std::vector<glm::vec3>& deviations) {
+  std::vector<TabulatedBrdf::Value> values(mapping.grid.size(), TabulatedBrdf::Value(0));
+  std::vector<std::uint8_t> valid(mapping.grid.size(), 0);
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    values[mapping.cells[i]] = deviations[i];
+    valid[mapping.cells[i]] = 1;
+  }
+  return std::make_shared<const TabulatedBrdf>(mapping.grid, std::move(values), std::move(valid));
+}
+
+Json checksJson(const std::vector<photograph::InputCheck>& checks) {
+  Json json = Json::array();
+  for (const photograph::InputCheck& check : checks) {
+    const double unit = check.property == "rotation" ? degrees(1) : 1;
+    json.push_back({{"property", check.property},
+                    {"estimate", unit * check.estimate},
+                    {"deviation", unit * check.deviation},
+                    {"evidence", check.evidence},
+                    {"suspicious", check.isSuspicious}});
+  }
+  return json;
+}
+
+int fitPhotograph(const PhotographFitArguments& options, const Tool& tool) {
+  materials::checkWritableSuffix(options.out);
+  if (!options.uncertainty.empty()) materials::checkWritableSuffix(options.uncertainty);
+  const auto description = photograph::readDescription(options.description);
+  double trainingSeconds = 0;
+  std::shared_ptr<const materials::BasisFile> basis;
+  if (options.basis.empty()) {
+    const study::LearnedBasis learned = basisOfSources(options.train, options.excluded, study::defaultBasisComponents,
+                                                       tool, materials::BasisPrecision::half);
+    basis = learned.basis;
+    trainingSeconds = learned.seconds;
+  } else {
+    basis = materials::readBasis(options.basis);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto prior = photograph::photographPrior(basis->components, options.components);
+  const auto found = photograph::fitPhotographs(prior, description.set, options.fit, tool.control("reconstructing"));
+  const auto table = dictionary::decode(basis->components, found.code);
+  const double seconds = secondsSince(start);
+  const std::vector<glm::vec3> deviations = photograph::deviations(basis->components, found);
+  std::vector<float> each;
+  for (const glm::vec3& of : deviations)
+    for (int channel = 0; channel < 3; ++channel) each.push_back(of[channel]);
+  const double median = medianOf(each);
+  const WrittenMaterial written = writeMaterial("photograph", table, options.out, tool);
+  if (!options.uncertainty.empty())
+    writeMaterial("deviation", channelDeviationTable(basis->components.mapping, deviations), options.uncertainty, tool);
+
+  Json json{{"images", Json::array()},
+            {"regions", found.regions.size()},
+            {"exposure", found.exposure},
+            {"exposureDeviation", found.exposureDeviation},
+            {"bandwidth", decibelsJson(found.bandwidth)},
+            {"modelNoise", found.modelNoise},
+            {"medianDeviation", median},
+            {"lostLight", found.lost},
+            {"checks", checksJson(found.checks)},
+            {"warnings", found.warnings},
+            {"assumption", "reciprocal, isotropic, a convex sphere without interreflection"},
+            {"seconds", seconds},
+            {"written", written.json()},
+            {"out", options.out}};
+  if (trainingSeconds > 0) json["trainingSeconds"] = trainingSeconds;
+  if (!options.uncertainty.empty()) json["uncertainty"] = options.uncertainty;
+  std::string text = options.out + ": from " + std::to_string(description.set.photographs.size()) + " images, " +
+                     number(seconds) + " s\n";
+  for (std::size_t i = 0; i < description.set.photographs.size(); ++i) {
+    const photograph::Photograph& image = description.set.photographs[i];
+    json["images"].push_back({{"file", image.name},
+                              {"sphere", {{"x", image.disc.x}, {"y", image.disc.y}, {"radius", image.disc.radius}}},
+                              {"clip", decibelsJson(image.clip)},
+                              {"residualSnr", decibelsJson(found.residualSnr[i])}});
+    text += image.name + ": sphere at " + number(image.disc.x) + ", " + number(image.disc.y) + ", radius " +
+            number(image.disc.radius) + " pixels; residual " + number(found.residualSnr[i]) + " dB\n";
+  }
+  if (!description.set.exposureKnown)
+    text += "exposure: factor " + number(found.exposure) + ", standard deviation " +
+            number(100 * found.exposureDeviation) + " %\n";
+  text += "median uncertainty of a mapped value " + number(median) + "\n";
+  for (const std::string& warning : found.warnings) text += "warning: " + warning + "\n";
+  print(tool, json, text + written.text);
+  return 0;
+}
+
+struct SimulateArguments {
+  std::string description, material;
+  int samples = 64;
+  double noise = 0;
+  std::uint64_t seed = 1;
+};
+
+/// Renders the images of a description, with Gaussian noise of a fraction of each value.
+int simulatePhotographs(const SimulateArguments& options, const Tool& tool) {
+  const auto description = photograph::readDescription(options.description, false);
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto start = std::chrono::steady_clock::now();
+  Json files = Json::array();
+  std::string text;
+  for (std::size_t i = 0; i < description.files.size(); ++i) {
+    const std::filesystem::path& file = description.files[i];
+    if (std::filesystem::exists(file) && !tool.force)
+      throw Error(file.string() + ": the image exists; use --force to replace it");
+    const glm::ivec2 size = description.sizes[i];
+    const rendering::RenderOptions render{
+        .width = size.x, .height = size.y, .samples = options.samples, .seed = options.seed + i, .density = {}};
+    Image image = rendering::renderPicture(*material.brdf, sceneOf(description.set.photographs[i], size.x, size.y),
+                                           render, tool.control("rendering"));
+    std::mt19937_64 random(options.seed + i);
+    std::normal_distribution<double> normal;
+    if (options.noise > 0)
+      for (glm::vec3& pixel : image.pixels)
+        for (int channel = 0; channel < 3; ++channel)
+          pixel[channel] = float(std::max(0.0, pixel[channel] * (1 + options.noise * normal(random))));
+    io::writeExr(image, file);
+    files.push_back(file.string());
+    text += file.string() + ": " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels\n";
+  }
+  print(tool, {{"files", files}, {"seconds", secondsSince(start)}}, text);
+  return 0;
+}
+
+void addPhotographFit(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<PhotographFitArguments>();
+  CLI::App* command = app.add_subcommand("fit", "Reconstructs a material from photographs of a sphere");
+  command->add_option("DESCRIPTION", options->description, "JSON file that describes the photographs")->required();
+  command->add_option("--out", options->out, outputHelp("Material file to write"))->group(outputGroup)->required();
+  CLI::Option* basis =
+      command->add_option("--basis", options->basis, "Basis file of the training set")->type_name("FILE");
+  CLI::Option* train =
+      command
+          ->add_option("--train", options->train,
+                       trainingSetHelp("Training set (the measured and near-measured bundled materials)"))
+          ->type_name("FILE|FOLDER");
+  train->excludes(basis);
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->excludes(basis);
+  command->add_option("--components", options->components, "Max. number of components (64)")->check(CLI::Range(1, 512));
+  command->add_option("--regions", options->fit.regions, "Max. number of regions of pixels, of all images (600)")
+      ->check(CLI::Range(50, 20000));
+  command
+      ->add_option("--uncertainty", options->uncertainty,
+                   outputHelp("File to write: standard deviations of the mapped values as a table"))
+      ->group(outputGroup);
+  command->callback([options, &tool] { tool.run = [options, &tool] { return fitPhotograph(*options, tool); }; });
+}
+
+void addPhotographSimulate(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<SimulateArguments>();
+  CLI::App* command = app.add_subcommand("simulate", "Renders the images of a description from a material");
+  command->add_option("DESCRIPTION", options->description, "JSON file that describes the photographs")->required();
+  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  command->add_option("--samples", options->samples, "Samples per pixel (64)")->check(CLI::Range(1, 1048576));
+  command->add_option("--noise", options->noise, "Standard deviation of each pixel, as a fraction of its value (0)")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--seed", options->seed, "Seed of the random numbers (1)");
+  command->callback([options, &tool] { tool.run = [options, &tool] { return simulatePhotographs(*options, tool); }; });
+}
+
+}  // namespace
+
+void addPhotograph(CLI::App& app, Tool& tool) {
+  CLI::App* command = app.add_subcommand("photograph", "Reconstructs materials from photographs of a sphere");
+  command->require_subcommand(1);
+  addPhotographFit(*command, tool);
+  addPhotographSimulate(*command, tool);
+}
+
+}  // namespace gonio::tool

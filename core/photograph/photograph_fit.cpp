@@ -1,0 +1,694 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/photograph/photograph_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/brdf/data_transform.h"
+#include "core/math/decompositions.h"
+#include "core/math/parallel.h"
+#include "core/support/error.h"
+#include "core/support/text.h"
+
+namespace gonio::photograph {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixX3d, Eigen::VectorXd;
+
+namespace {
+
+constexpr Index channelCount = 3;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// The step between the nodes of one axis, of which about `wanted` remain; a divisor of the count.
+int stepOf(int count, int wanted) {
+  int step = std::max(1, count / wanted);
+  while (count % step != 0) --step;
+  return step;
+}
+
+}  // namespace
+
+PhotographPrior photographPrior(const dictionary::PrincipalComponents& basis, int components) {
+  constexpr int thetaDNodes = 30, phiDNodes = 36;
+  const HalfDifferenceGrid& fine = basis.mapping.grid;
+  if (!fine.reciprocal) throw Error("photographs need principal components of reciprocal materials");
+  const int stepD = stepOf(fine.thetaDCount, thetaDNodes), stepPhi = stepOf(fine.phiDCount, phiDNodes);
+  PhotographPrior prior;
+  HalfDifferenceGrid& grid = prior.mapping.grid;
+  grid = {fine.thetaHCount, fine.thetaDCount / stepD, fine.phiDCount / stepPhi, true};
+  std::vector<std::size_t> chosen;  // places in basis.mapping.cells
+  for (std::size_t i = 0; i < basis.mapping.cells.size(); ++i) {
+    const std::size_t cell = basis.mapping.cells[i];
+    const int phi = int(cell % std::size_t(fine.phiDCount)), row = int(cell / std::size_t(fine.phiDCount));
+    const int thetaD = row % fine.thetaDCount, thetaH = row / fine.thetaDCount;
+    if (phi % stepPhi != 0 || thetaD % stepD != 0) continue;
+    chosen.push_back(i);
+    prior.mapping.cells.push_back(std::uint32_t(grid.index(thetaH, thetaD / stepD, phi / stepPhi)));
+    prior.mapping.weights.push_back(basis.mapping.weights[i]);
+    prior.mapping.reference.push_back(basis.mapping.reference[i]);
+  }
+  const Index used = std::min<Index>(components, basis.count());
+  prior.v = basis.svd.v.leftCols(used);
+  prior.singularValues = basis.svd.singularValues.head(used);
+  const auto rows = Index(chosen.size());
+  prior.d.resize(rows, used);
+  prior.mean.resize(rows);
+  prior.leftOut.resize(rows);
+  const auto u = basis.svd.u.view();
+  const Eigen::RowVectorXf singular = basis.svd.singularValues.head(used).cast<float>().transpose();
+  parallelForBlocks(chosen.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      prior.d.row(Index(i)) = u.row(Index(chosen[i])).head(used).cwiseProduct(singular);
+      prior.mean[Index(i)] = basis.mean[chosen[i]];
+      prior.leftOut[Index(i)] = leftOutVariance(basis, int(used), chosen[i], chosen[i] + 1)[0];
+    }
+  });
+  return prior;
+}
+
+std::vector<glm::vec3> cellValues(const PhotographPrior& prior, const MatrixX3d& coefficients,
+                                  std::vector<glm::vec3>* slopes) {
+  const std::size_t cells = prior.mapping.cells.size();
+  std::vector<glm::vec3> values(cells);
+  if (slopes) slopes->resize(cells);
+  const Eigen::MatrixX3f c = coefficients.cast<float>();
+  parallelForBlocks(cells, 2048, [&](std::size_t begin, std::size_t end) {
+    const Eigen::MatrixX3f y = prior.d.middleRows(Index(begin), Index(end - begin)) * c;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double weight = prior.mapping.weights[i], reference = prior.mapping.reference[i];
+      for (int channel = 0; channel < 3; ++channel) {
+        constexpr double highest = 30;  // e^30 is far beyond any material
+        const double mapped = std::min(highest, double(prior.mean[Index(i)]) + y(Index(i - begin), channel));
+        values[i][channel] = float(inverseLogRelative(mapped, weight, reference));
+        if (slopes) (*slopes)[i][channel] = float((reference + logRelativeOffset) * std::exp(mapped) / weight);
+      }
+    }
+  });
+  return values;
+}
+
+namespace {
+
+/// Pixel values and their derivatives at given coefficients.
+struct Linearisation {
+  MatrixX3d values;                  ///< rows x channels
+  std::array<MatrixXd, 3> jacobian;  ///< by the coefficients: rows x components
+};
+
+Linearisation linearised(const PhotographPrior& prior, const PixelRows& rows, const MatrixX3d& coefficients,
+                         const TaskControl& control) {
+  std::vector<glm::vec3> slopes;
+  const std::vector<glm::vec3> values = cellValues(prior, coefficients, &slopes);
+  const Index count = Index(rows.count()), components = prior.d.cols();
+  Linearisation result;
+  result.values.resize(count, channelCount);
+  for (MatrixXd& of : result.jacobian) of.resize(count, components);
+  parallelForBlocks(
+      rows.count(), 16,
+      [&](std::size_t begin, std::size_t end) {
+        std::array<Eigen::RowVectorXf, 3> sums;
+        for (std::size_t row = begin; row < end; ++row) {
+          Rgb value(0);
+          for (auto& sum : sums) sum.setZero(components);
+          for (std::size_t n = rows.first[row]; n < rows.first[row + 1]; ++n) {
+            const std::uint32_t cell = rows.cells[n];
+            value += Rgb(rows.weights[n] * values[cell]);
+            const glm::vec3 factor = rows.weights[n] * slopes[cell];
+            const auto d = prior.d.row(Index(cell));
+            sums[0] += factor.x * d;
+            sums[1] += factor.y * d;
+            sums[2] += factor.z * d;
+          }
+          for (Index channel = 0; channel < channelCount; ++channel) {
+            result.values(Index(row), channel) = value[int(channel)];
+            result.jacobian[std::size_t(channel)].row(Index(row)) = sums[std::size_t(channel)].cast<double>();
+          }
+        }
+      },
+      control);
+  return result;
+}
+
+MatrixX3d pixelValues(const PhotographPrior& prior, const PixelRows& rows, const MatrixX3d& coefficients) {
+  const std::vector<Rgb> values = rows.values(cellValues(prior, coefficients));
+  MatrixX3d result(Index(values.size()), channelCount);
+  for (std::size_t row = 0; row < values.size(); ++row)
+    for (int channel = 0; channel < 3; ++channel) result(Index(row), channel) = values[row][channel];
+  return result;
+}
+
+/// Every n-th row, so that at most `most` remain.
+std::vector<std::size_t> someOf(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0, n = std::min(count, most); i < n; ++i) chosen.push_back(i * count / n);
+  return chosen;
+}
+
+PixelRows rowsAt(const PixelRows& rows, const std::vector<std::size_t>& chosen) {
+  PixelRows result;
+  result.first.push_back(0);
+  for (const std::size_t row : chosen) {
+    const auto begin = std::ptrdiff_t(rows.first[row]), end = std::ptrdiff_t(rows.first[row + 1]);
+    result.cells.insert(result.cells.end(), rows.cells.begin() + begin, rows.cells.begin() + end);
+    result.weights.insert(result.weights.end(), rows.weights.begin() + begin, rows.weights.begin() + end);
+    result.first.push_back(result.cells.size());
+    result.lost.push_back(rows.lost[row]);
+  }
+  return result;
+}
+
+/// Logarithms of the pixel values of the training signals, for the light of each channel: [channel](row, signal).
+std::array<MatrixXd, 3> signalImages(const PhotographPrior& prior, const PixelRows& rows, const TaskControl& control) {
+  constexpr Index block = 32;
+  const Index signals = prior.v.rows();
+  std::array<MatrixXd, 3> images;
+  for (MatrixXd& image : images) image.resize(Index(rows.count()), signals);
+  for (Index first = 0; first < signals; first += block) {
+    control.throwIfStopped();
+    const Index count = std::min(block, signals - first);
+    const Eigen::MatrixXf coefficients = prior.v.middleRows(first, count).transpose().cast<float>();
+    RowMatrix values(prior.d.rows(), count);
+    parallelForBlocks(std::size_t(prior.d.rows()), 2048, [&](std::size_t begin, std::size_t end) {
+      auto part = values.middleRows(Index(begin), Index(end - begin));
+      part = prior.d.middleRows(Index(begin), Index(end - begin)) * coefficients;
+      for (std::size_t i = begin; i < end; ++i) {
+        const float weight = prior.mapping.weights[i], reference = prior.mapping.reference[i],
+                    offset = float(logRelativeOffset);
+        auto row = values.row(Index(i)).array();
+        row = (((row + prior.mean[Index(i)]).exp() * (reference + offset) - offset) / weight).max(0.0f);
+      }
+    });
+    parallelForBlocks(rows.count(), 8, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row) {
+        std::array<Eigen::RowVectorXf, 3> sums;
+        for (auto& sum : sums) sum.setZero(count);
+        for (std::size_t n = rows.first[row]; n < rows.first[row + 1]; ++n) {
+          const auto of = values.row(Index(rows.cells[n]));
+          for (int channel = 0; channel < 3; ++channel) sums[std::size_t(channel)] += rows.weights[n][channel] * of;
+        }
+        for (std::size_t channel = 0; channel < 3; ++channel)
+          images[channel].row(Index(row)).segment(first, count) = sums[channel].cast<double>().array().max(1e-12).log();
+      }
+    });
+  }
+  return images;
+}
+
+/// Distances of the training signals from the photographs, per channel, as in acquisition/local_ridge.h but of the
+/// logarithms of pixel values: signals x channels.
+MatrixX3d signalDistances(const std::array<MatrixXd, 3>& images, const MatrixX3d& values, const MatrixX3d& variances,
+                          bool exposureKnown) {
+  MatrixX3d distances = MatrixX3d::Zero(images[0].cols(), channelCount);
+  for (Index channel = 0; channel < channelCount; ++channel) {
+    const MatrixXd& image = images[std::size_t(channel)];
+    double count = 0;
+    VectorXd shift = VectorXd::Zero(image.cols());
+    std::vector<Index> used;
+    for (Index row = 0; row < image.rows(); ++row)
+      if (values(row, channel) > 0) used.push_back(row);
+    if (used.empty()) continue;
+    if (!exposureKnown) {
+      for (const Index row : used)
+        shift += (image.row(row).transpose().array() - std::log(values(row, channel))).matrix();
+      shift /= double(used.size());
+    }
+    for (const Index row : used) {
+      const VectorXd of = image.row(row).transpose() - shift;
+      const double known = variances(row, channel) / (values(row, channel) * values(row, channel));
+      const double variance = (of.array() - of.mean()).square().mean() + known;
+      if (!(variance > 0)) continue;
+      distances.col(channel) += ((of.array() - std::log(values(row, channel))).square() / variance).matrix();
+      ++count;
+    }
+    if (count > 0) distances.col(channel) /= count;
+  }
+  return distances;
+}
+
+/// All unknowns x: the coefficients of red, green and blue, then the logarithm of the exposure if it is unknown.
+/// Before the photographs are seen, x is mean + G w, with independent standard normal w.
+struct LocalPrior {
+  VectorXd mean;
+  MatrixXd factor;  ///< G
+};
+
+/// What is known of the logarithm of an unknown exposure beforehand: its standard deviation.
+constexpr double exposureSpread = 3;
+
+/// The orders in which the channels of a training material stand for red, green and blue: the colour of a material says
+/// little about its highlights, while its channels are alike.
+constexpr int channelOrders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+
+/// Mean and covariance over the training materials, in each order of their channels, weighted toward those that look
+/// like the photographs. @param distances signals x channels. @param start mean of the logarithm of the exposure.
+LocalPrior localPrior(const MatrixXd& v, const MatrixX3d& distances, double bandwidth, bool exposureKnown,
+                      double start) {
+  constexpr double leastSum = 2;  // of the weights of all training materials; the most similar one has 1
+  const Index materials = v.rows() / channelCount, components = v.cols(), count = 6 * materials;
+  const Index coefficients = channelCount * components, unknowns = coefficients + (exposureKnown ? 0 : 1);
+  MatrixXd samples(count, coefficients);
+  VectorXd of(count);
+  for (Index m = 0; m < materials; ++m)
+    for (Index order = 0; order < 6; ++order) {
+      const Index row = 6 * m + order;
+      of[row] = 0;
+      for (Index channel = 0; channel < channelCount; ++channel) {
+        const Index signal = channelCount * m + channelOrders[order][channel];
+        samples.row(row).segment(channel * components, components) = v.row(signal);
+        of[row] += distances(signal, channel) / double(channelCount);
+      }
+    }
+  VectorXd weights = VectorXd::Ones(count);
+  if (std::isfinite(bandwidth))
+    weights = (-(of.array() - of.minCoeff()) / (2 * bandwidth * bandwidth)).exp().max(leastSum / double(count));
+  weights /= weights.sum();
+  LocalPrior prior{VectorXd::Zero(unknowns), {}};
+  prior.mean.head(coefficients) = samples.transpose() * weights;
+  samples.rowwise() -= prior.mean.head(coefficients).transpose().eval();
+  const MatrixXd scaled = weights.cwiseSqrt().asDiagonal() * samples;
+  const EigenBasis basis = eigenBasis(scaled.transpose() * scaled);
+  prior.factor = MatrixXd::Zero(unknowns, unknowns);
+  prior.factor.topLeftCorner(coefficients, coefficients) =
+      basis.vectors * basis.values.cwiseMax(0).cwiseSqrt().asDiagonal();
+  if (!exposureKnown) {
+    prior.mean[coefficients] = start;
+    prior.factor(coefficients, coefficients) = exposureSpread;
+  }
+  return prior;
+}
+
+MatrixX3d coefficientsOf(const VectorXd& x, Index components) {
+  return Eigen::Map<const MatrixX3d>(x.data(), components, channelCount);
+}
+
+/// Everything that the iterations share.
+struct Problem {
+  const PhotographPrior& prior;
+  const PixelRows& rows;
+  MatrixX3d data, noise;  ///< pixel values and the variances of their noise: rows x channels
+  bool exposureKnown = true;
+  double share = 1;  ///< factor of the information of each row (FitOptions::independentRegions)
+
+  Index components() const { return prior.d.cols(); }
+  double exposure(const VectorXd& x) const { return exposureKnown ? 1 : std::exp(x[x.size() - 1]); }
+  /// Inverse variances of pixel values, times `share`: of their noise, and of what the model does not explain.
+  MatrixX3d weights(double modelNoise) const {
+    constexpr double ofMean = 0.05;  // dark pixels are not more accurate than this part of the mean
+    MatrixX3d variances = noise;
+    for (Index channel = 0; channel < channelCount; ++channel) {
+      const double base = ofMean * data.col(channel).cwiseAbs().mean();
+      variances.col(channel).array() +=
+          (modelNoise * (data.col(channel).array().abs() + base)).square() + std::numeric_limits<double>::min();
+    }
+    return share * variances.cwiseInverse();
+  }
+  /// Twice the negative logarithm of the probability of x = mean + G w, up to a constant.
+  double cost(const VectorXd& x, const VectorXd& w, const MatrixX3d& weights) const {
+    const MatrixX3d difference = data - exposure(x) * pixelValues(prior, rows, coefficientsOf(x, components()));
+    return difference.cwiseProduct(difference).cwiseProduct(weights).sum() + w.squaredNorm();
+  }
+};
+
+/// The squared differences of data and linearised pixel values about x, as a function of x.
+struct Quadratic {
+  VectorXd x;
+  MatrixXd curvature;  ///< J^T W J
+  VectorXd slope;      ///< J^T W (data - values)
+  double energy = 0;   ///< (data - values)^T W (data - values)
+
+  Quadratic(const Problem& problem, const Linearisation& at, const VectorXd& about, const MatrixX3d& weights)
+      : x(about), curvature(MatrixXd::Zero(about.size(), about.size())), slope(VectorXd::Zero(about.size())) {
+    const Index components = problem.components(), last = about.size() - 1;
+    const double exposure = problem.exposure(about);
+    for (Index channel = 0; channel < channelCount; ++channel) {
+      const MatrixXd& jacobian = at.jacobian[std::size_t(channel)];
+      const VectorXd of = exposure * at.values.col(channel), difference = problem.data.col(channel) - of;
+      const VectorXd weight = weights.col(channel);
+      const MatrixXd weighted = exposure * (weight.asDiagonal() * jacobian);
+      const Index first = channel * components;
+      curvature.block(first, first, components, components).noalias() = exposure * (jacobian.transpose() * weighted);
+      slope.segment(first, components) = weighted.transpose() * difference;
+      energy += difference.dot(weight.cwiseProduct(difference));
+      if (problem.exposureKnown) continue;
+      const VectorXd mixed = weighted.transpose() * of;
+      curvature.col(last).segment(first, components) = mixed;
+      curvature.row(last).segment(first, components) = mixed.transpose();
+      curvature(last, last) += of.dot(weight.cwiseProduct(of));
+      slope[last] += of.dot(weight.cwiseProduct(difference));
+    }
+  }
+};
+
+struct Solution {
+  VectorXd w;
+  Eigen::LLT<MatrixXd> normal;  ///< inverse of the covariance of w given the photographs
+  double evidence = 0;          ///< logarithm of the probability of the photographs, up to terms in their variances
+};
+
+Solution solved(const Quadratic& of, const LocalPrior& prior) {
+  const VectorXd step = of.x - prior.mean;
+  const VectorXd slope = of.slope + of.curvature * step;
+  const VectorXd right = prior.factor.transpose() * slope;
+  MatrixXd normal = prior.factor.transpose() * (of.curvature * prior.factor);
+  normal.diagonal().array() += 1;
+  Solution result;
+  result.normal.compute(normal);
+  result.w = result.normal.solve(right);
+  const double energy = of.energy + step.dot(of.slope + slope);
+  const double logDeterminant = 2 * result.normal.matrixLLT().diagonal().array().log().sum();
+  result.evidence = -0.5 * (energy - right.dot(result.w) + logDeterminant);
+  return result;
+}
+
+constexpr std::array<double, 5> triedBandwidths{0.11, 0.22, 0.44, 0.89, unbounded};
+constexpr std::array<double, 7> triedNoises{0.0025, 0.005, 0.01, 0.02, 0.04, 0.08, 0.16};
+
+/// The state of the iterations.
+struct State {
+  std::size_t bandwidth = 2;  ///< in triedBandwidths
+  double modelNoise = 0.04;
+  VectorXd w, x;
+  Linearisation at;
+};
+
+/// Steps of Gauss and Newton with a fixed prior and noise. A step is shortened until it lowers the cost.
+void iterate(const Problem& problem, const LocalPrior& prior, int steps, State& state, const TaskControl& control) {
+  const MatrixX3d weights = problem.weights(state.modelNoise);
+  double cost = problem.cost(state.x, state.w, weights);
+  for (int step = 0; step < steps; ++step) {
+    control.throwIfStopped();
+    const VectorXd target = solved(Quadratic(problem, state.at, state.x, weights), prior).w;
+    constexpr int trials = 6;
+    constexpr double shorter = 0.4, negligible = 1e-3;
+    double length = 1, gain = 0;
+    for (int trial = 0; trial < trials && !(gain > 0); ++trial, length *= shorter) {
+      const VectorXd w = state.w + length * (target - state.w), x = prior.mean + prior.factor * w;
+      const double tried = problem.cost(x, w, weights);
+      if (!(tried < cost)) continue;
+      gain = cost - tried;
+      cost = tried;
+      state.w = w;
+      state.x = x;
+    }
+    if (!(gain > 0)) return;
+    state.at = linearised(problem.prior, problem.rows, coefficientsOf(state.x, problem.components()), control);
+    if (gain < negligible * cost) return;
+  }
+}
+
+/// Chooses the noise, and the bandwidth among `bandwidths`, of the largest evidence about the linearisation.
+void choose(const Problem& problem, const std::vector<LocalPrior>& priors, const std::vector<std::size_t>& bandwidths,
+            State& state, const TaskControl& control) {
+  double evidence = -unbounded;
+  State best = state;
+  for (const double noise : triedNoises) {
+    const MatrixX3d weights = problem.weights(noise);
+    const double logWeights = 0.5 * problem.share * (weights.array() / problem.share).log().sum();
+    const Quadratic quadratic(problem, state.at, state.x, weights);
+    for (const std::size_t bandwidth : bandwidths) {
+      control.throwIfStopped();
+      const Solution solution = solved(quadratic, priors[bandwidth]);
+      if (!(solution.evidence + logWeights > evidence)) continue;
+      evidence = solution.evidence + logWeights;
+      best.bandwidth = bandwidth;
+      best.modelNoise = noise;
+      best.w = solution.w;
+      best.x = priors[bandwidth].mean + priors[bandwidth].factor * solution.w;
+    }
+  }
+  state = std::move(best);
+  state.at = linearised(problem.prior, problem.rows, coefficientsOf(state.x, problem.components()), control);
+}
+
+void readRegions(const std::vector<Region>& regions, MatrixX3d& values, MatrixX3d& variances) {
+  values.resize(Index(regions.size()), channelCount);
+  variances.resize(Index(regions.size()), channelCount);
+  for (std::size_t row = 0; row < regions.size(); ++row)
+    for (int channel = 0; channel < 3; ++channel) {
+      values(Index(row), channel) = regions[row].value[channel];
+      variances(Index(row), channel) = regions[row].variance[channel];
+    }
+}
+
+MatrixX3d rowsOf(const MatrixX3d& matrix, const std::vector<std::size_t>& chosen) {
+  MatrixX3d result(Index(chosen.size()), channelCount);
+  for (std::size_t i = 0; i < chosen.size(); ++i) result.row(Index(i)) = matrix.row(Index(chosen[i]));
+  return result;
+}
+
+/// Mean difference of the logarithms of the data and of the training signals' pixel values.
+double firstLogExposure(const std::array<MatrixXd, 3>& images, const MatrixX3d& values) {
+  double sum = 0, count = 0;
+  for (Index channel = 0; channel < channelCount; ++channel)
+    for (Index row = 0; row < values.rows(); ++row)
+      if (values(row, channel) > 0) {
+        sum += std::log(values(row, channel)) - images[std::size_t(channel)].row(row).mean();
+        ++count;
+      }
+  return count > 0 ? sum / count : 0;
+}
+
+/// What the stated input may differ by, as derivatives of the pixel values by one number each.
+class InputChecks {
+ public:
+  /// At the state, with some rows of the problem. @param whole of all rows.
+  InputChecks(const Problem& whole, const PhotographSet& set, const std::vector<Region>& regions,
+              const std::vector<std::size_t>& chosen, const State& state, const LocalPrior& local,
+              const TaskControl& control)
+      : set_(set),
+        rows_(rowsAt(whole.rows, chosen)),
+        problem_{whole.prior,
+                 rows_,
+                 rowsOf(whole.data, chosen),
+                 rowsOf(whole.noise, chosen),
+                 whole.exposureKnown,
+                 std::min(1.0, whole.share * double(whole.rows.count()) / double(chosen.size()))},
+        prior_(local),
+        x_(state.x),
+        at_(linearised(whole.prior, rows_, coefficientsOf(state.x, whole.components()), control)),
+        weights_(problem_.weights(state.modelNoise)),
+        solution_(solved(Quadratic(problem_, at_, state.x, weights_), local)),
+        control_(control) {
+    for (const std::size_t row : chosen) regions_.push_back(regions[row]);
+    predicted_ = problem_.exposure(x_) * at_.values;
+    fromMean_ = problem_.data - predicted_;  // data less the linearised values at the mean of the prior
+    const VectorXd step = x_ - prior_.mean;
+    const Index components = problem_.components();
+    for (Index channel = 0; channel < channelCount; ++channel)
+      fromMean_.col(channel) +=
+          problem_.exposure(x_) * (at_.jacobian[std::size_t(channel)] * step.segment(channel * components, components));
+    if (!problem_.exposureKnown) fromMean_ += predicted_ * step[step.size() - 1];
+  }
+
+  std::vector<InputCheck> all() const {
+    std::vector<InputCheck> checks;
+    constexpr double noticeable = 0.1;  // of a logarithm
+    if (problem_.exposureKnown) checks.push_back(check("exposure", predicted_, noticeable));
+    const double mean = predicted_.mean();
+    // d = mean (f / mean)^g: the derivative by ln g at 1 is f ln(f / mean).
+    checks.push_back(check("gamma", predicted_.array() * (predicted_.array() / mean).max(1e-6).log(), noticeable));
+    const double radius = set_.photographs.front().disc.radius, pixels = 0.01 * radius;
+    struct Outline {
+      const char* name;
+      double matching::Disc::*member;
+    };
+    for (const Outline& of : {Outline{"outline x", &matching::Disc::x}, Outline{"outline y", &matching::Disc::y},
+                              Outline{"outline radius", &matching::Disc::radius}}) {
+      PhotographSet moved = set_;
+      for (photograph::Photograph& photograph : moved.photographs) photograph.disc.*of.member += pixels;
+      checks.push_back(check(of.name, (valuesWith(moved, 0) - predicted_) / pixels, pixels));
+    }
+    const bool hasEnvironment = std::ranges::any_of(
+        set_.photographs, [](const Photograph& photograph) { return photograph.light.environment != nullptr; });
+    if (hasEnvironment) {
+      constexpr double turn = radians(1.5);
+      checks.push_back(check("rotation", (valuesWith(set_, turn) - predicted_) / turn, turn));
+    }
+    return checks;
+  }
+
+ private:
+  MatrixX3d valuesWith(const PhotographSet& set, double rotation) const {
+    const PixelRows rows =
+        assembleRows(problem_.prior.mapping, set, regions_, {.rotation = rotation}, {control_.stop, {}});
+    return problem_.exposure(x_) * pixelValues(problem_.prior, rows, coefficientsOf(x_, problem_.components()));
+  }
+
+  /// G^T J^T W q.
+  VectorXd projected(const MatrixX3d& q) const {
+    const Index components = problem_.components();
+    const MatrixX3d weighted = weights_.cwiseProduct(q);
+    VectorXd result = VectorXd::Zero(x_.size());
+    for (Index channel = 0; channel < channelCount; ++channel)
+      result.segment(channel * components, components) =
+          problem_.exposure(x_) * (at_.jacobian[std::size_t(channel)].transpose() * weighted.col(channel));
+    if (!problem_.exposureKnown) result[result.size() - 1] = predicted_.cwiseProduct(weighted).sum();
+    return prior_.factor.transpose() * result;
+  }
+
+  /// The estimate of a number of which the derivative of the pixel values is q, with a flat prior: the photographs have
+  /// the covariance W^-1 + J G G^T J^T.
+  InputCheck check(const char* name, const MatrixX3d& q, double noticeable) const {
+    const VectorXd ofQ = projected(q), solvedQ = solution_.normal.solve(ofQ);
+    const double information = q.cwiseProduct(q).cwiseProduct(weights_).sum() - ofQ.dot(solvedQ);
+    const double agreement = q.cwiseProduct(fromMean_).cwiseProduct(weights_).sum() - projected(fromMean_).dot(solvedQ);
+    InputCheck result{.property = name};
+    if (!(information > 0)) return result;
+    result.estimate = agreement / information;
+    result.deviation = 1 / std::sqrt(information);
+    result.evidence = 0.5 * agreement * agreement / information;
+    constexpr double significant = 4.5;  // three deviations
+    result.isSuspicious = result.evidence >= significant && std::abs(result.estimate) > noticeable;
+    return result;
+  }
+
+  const PhotographSet& set_;
+  std::vector<Region> regions_;
+  PixelRows rows_;
+  Problem problem_;
+  const LocalPrior& prior_;
+  const VectorXd& x_;
+  Linearisation at_;
+  MatrixX3d weights_;
+  Solution solution_;
+  MatrixX3d predicted_, fromMean_;
+  TaskControl control_;
+};
+
+/// At most `most` regions well inside the discs: at the outline, pixel values do not change linearly with its place.
+std::vector<std::size_t> insideOf(const PhotographSet& set, const std::vector<Region>& regions, std::size_t most) {
+  constexpr double inside = 0.85;  // of the radius
+  std::vector<std::size_t> all, chosen;
+  for (std::size_t row = 0; row < regions.size(); ++row) {
+    const matching::Disc& disc = set.photographs[regions[row].photograph].disc;
+    if (glm::length(regions[row].centre - glm::dvec2(disc.x, disc.y)) < inside * disc.radius) all.push_back(row);
+  }
+  for (const std::size_t i : someOf(all.size(), most)) chosen.push_back(all[i]);
+  return chosen;
+}
+
+std::string fixedText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// One sentence about the check with the most evidence, if it is suspicious.
+std::string warningOf(const std::vector<InputCheck>& checks) {
+  if (checks.empty()) return {};
+  const InputCheck& worst = *std::ranges::max_element(checks, {}, &InputCheck::evidence);
+  if (!worst.isSuspicious) return {};
+  const std::string by =
+      worst.property == "exposure" ? "the exposure is " + fixedText(std::exp(worst.estimate)) + " times"
+      : worst.property == "gamma"
+          ? "the image has a gamma (exponent) of " + fixedText(std::exp(worst.estimate)) + " instead of"
+      : worst.property == "rotation"
+          ? "the environment is rotated by " + fixedText(degrees(worst.estimate)) + " degrees from"
+          : "the " + worst.property + " is " + fixedText(worst.estimate) + " pixels from";
+  return "the photographs fit better if " + by + " what is stated; check the description";
+}
+
+}  // namespace
+
+PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set, const FitOptions& options,
+                             const TaskControl& control) {
+  PhotographFit result;
+  result.regions = regionsOf(set, options.regions);
+  const PixelRows rows = assembleRows(prior.mapping, set, result.regions, {}, control.between(0, 0.2));
+  Problem problem{.prior = prior, .rows = rows, .data = {}, .noise = {}, .exposureKnown = set.exposureKnown};
+  readRegions(result.regions, problem.data, problem.noise);
+  problem.share = std::min(1.0, options.independentRegions * double(set.photographs.size()) / double(rows.count()));
+  constexpr std::size_t comparedRows = 200;
+  const std::vector<std::size_t> some = someOf(rows.count(), comparedRows);
+  const auto images = signalImages(prior, rowsAt(rows, some), control.between(0.2, 0.4));
+  const MatrixX3d someData = rowsOf(problem.data, some);
+  const MatrixX3d distances = signalDistances(images, someData, rowsOf(problem.noise, some), set.exposureKnown);
+  const double start = set.exposureKnown ? 0 : firstLogExposure(images, someData);
+  std::vector<LocalPrior> priors;
+  for (const double bandwidth : triedBandwidths)
+    priors.push_back(localPrior(prior.v, distances, bandwidth, set.exposureKnown, start));
+
+  const Index components = prior.d.cols();
+  State state;
+  state.x = priors[state.bandwidth].mean;
+  state.w = VectorXd::Zero(state.x.size());
+  state.at = linearised(prior, rows, coefficientsOf(state.x, components), control);
+  iterate(problem, priors[state.bandwidth], 5, state, control);
+  control.report(0.6);
+  choose(problem, priors, {0, 1, 2, 3, 4}, state, control);
+  iterate(problem, priors[state.bandwidth], 3, state, control);
+  control.report(0.75);
+  choose(problem, priors, {state.bandwidth}, state, control);
+  iterate(problem, priors[state.bandwidth], 2, state, control);
+  control.report(0.85);
+
+  const LocalPrior& last = priors[state.bandwidth];
+  const Quadratic quadratic(problem, state.at, state.x, problem.weights(state.modelNoise));
+  const Solution solution = solved(quadratic, last);
+  // With N = L L^T the inverse of the covariance of w, that of x has the factor G L^-T.
+  const MatrixXd factor = solution.normal.matrixU().solve<Eigen::OnTheRight>(last.factor);
+  const MatrixX3d coefficients = coefficientsOf(state.x, components);
+  for (Index channel = 0; channel < channelCount; ++channel) {
+    const auto c = std::size_t(channel);
+    result.posteriorFactors[c] = factor.middleRows(channel * components, components);
+    result.code.channels[c] = prior.singularValues.cwiseProduct(coefficients.col(channel)).cast<float>();
+  }
+  result.exposure = problem.exposure(state.x);
+  if (!set.exposureKnown) result.exposureDeviation = factor.row(factor.rows() - 1).norm();
+  result.bandwidth = triedBandwidths[state.bandwidth];
+  result.modelNoise = state.modelNoise;
+  std::vector<double> signal(set.photographs.size(), 0), error(set.photographs.size(), 0);
+  for (std::size_t row = 0; row < result.regions.size(); ++row) {
+    Rgb value;
+    for (int channel = 0; channel < 3; ++channel)
+      value[channel] = result.exposure * state.at.values(Index(row), channel);
+    result.predicted.push_back(value);
+    const Region& region = result.regions[row];
+    signal[region.photograph] += glm::dot(region.value, region.value);
+    error[region.photograph] += glm::dot(region.value - value, region.value - value);
+    result.lost += double(rows.lost[row]) / double(rows.count());
+  }
+  for (std::size_t i = 0; i < signal.size(); ++i) result.residualSnr.push_back(10 * std::log10(signal[i] / error[i]));
+  result.warnings = set.warnings;
+  if (options.checksInput) {
+    result.checks = InputChecks(problem, set, result.regions, insideOf(set, result.regions, comparedRows), state, last,
+                                control.between(0.85, 1))
+                        .all();
+    if (std::string warning = warningOf(result.checks); !warning.empty()) result.warnings.push_back(std::move(warning));
+  }
+  constexpr double muchLight = 0.02;
+  if (result.lost > muchLight)
+    result.warnings.push_back(fixedText(100 * result.lost) +
+                              " % of the light comes from directions without training data, at grazing angles");
+  return result;
+}
+
+std::vector<glm::vec3> deviations(const dictionary::PrincipalComponents& basis, const PhotographFit& fit,
+                                  const TaskControl& control) {
+  std::vector<glm::vec3> result(basis.mapping.cells.size());
+  const Index components = fit.posteriorFactors[0].rows();
+  const auto u = basis.svd.u.view().leftCols(components);
+  std::array<Eigen::MatrixXf, 3> factors;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    factors[channel] =
+        (basis.svd.singularValues.head(components).asDiagonal() * fit.posteriorFactors[channel]).cast<float>();
+  parallelForBlocks(
+      result.size(), 2048,
+      [&](std::size_t begin, std::size_t end) {
+        const std::vector<float> leftOut = leftOutVariance(basis, int(components), begin, end);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+          const Eigen::VectorXf squares =
+              (u.middleRows(Index(begin), Index(end - begin)) * factors[channel]).rowwise().squaredNorm();
+          for (std::size_t i = begin; i < end; ++i)
+            result[i][int(channel)] = std::sqrt(squares[Index(i - begin)] + leftOut[i - begin]);
+        }
+      },
+      control);
+  return result;
+}
+
+}  // namespace gonio::photograph

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/dictionary/principal_components.h"
+#include "core/photograph/photograph.h"
+
+namespace gonio::photograph {
+
+/// Where the light of a region is integrated, and the fraction of the region's pixels for which the point stands.
+struct RegionPoint {
+  glm::dvec2 pixel{0};
+  double share = 1;
+};
+
+/// The mean of the pixels of a square of a photograph that are inside the sphere's outline.
+struct Region {
+  std::size_t photograph = 0;
+  glm::dvec2 centre{0};             ///< in pixels
+  std::vector<RegionPoint> points;  ///< the centroids of the quarters of the square
+  Rgb value{0};                     ///< of the mean
+  Rgb variance{0};                  ///< of the mean's noise, estimated from second differences of the pixels
+};
+
+/// The squares into which the discs of the photographs are divided, row after row: as small as possible with at most
+/// `most` in all. Only pixels within 98.5 % of the radius count. Squares with clipped pixels or pixels that are not
+/// finite are not used, but a few of many pixels may be. @throws Error if a photograph has no pixels in its disc, or
+/// all are 0.
+std::vector<Region> regionsOf(const PhotographSet& set, std::size_t most);
+
+/// Regions of images that are still to be photographed: pixel values and variances are 0.
+std::vector<Region> emptyRegions(const Photograph& photograph, std::size_t index, std::size_t most);
+
+/// Pixel values as linear functionals of a BRDF table: the value of row r in channel c is the sum of weights[n][c]
+/// times the table's value in cell cells[n], over n from first[r] to first[r + 1].
+struct PixelRows {
+  std::vector<std::size_t> first;    ///< rows + 1 entries
+  std::vector<std::uint32_t> cells;  ///< indices into MappedCells::cells
+  std::vector<glm::vec3> weights;    ///< irradiance that the pixel's viewer gets by each cell
+  /// Fraction of the light (irradiance) of each row that falls into cells without training data, at grazing angles.
+  std::vector<float> lost;
+
+  std::size_t count() const { return first.size() - 1; }
+  /// The pixel values of a material. @param values BRDF values of the cells, one per entry of MappedCells::cells.
+  std::vector<Rgb> values(const std::vector<glm::vec3>& values) const;
+};
+
+/// How finely the environment is divided.
+struct AssemblyOptions {
+  /// Largest angle that a part of the environment covers, relative to the spacing in theta_h of the cells into which it
+  /// falls; at most 8 degrees.
+  double coarseness = 4;
+  double rotation = 0;  ///< rad, added to the rotation of every environment
+};
+
+/// Integrates the light of each region over the cells: an environment as a sum over its texels, which are merged to
+/// blocks where the half-difference coordinates change little from texel to texel; distant and small lights exactly.
+/// Cells are interpolated trilinearly, as by TabulatedBrdf. Light and viewer may be exchanged, as the grid is that of
+/// reciprocal materials. A sphere is convex: no shadows, no interreflection. Parallel, deterministic. @throws
+/// Cancelled; Error if the grid is not reciprocal.
+PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographSet& set,
+                       const std::vector<Region>& regions, const AssemblyOptions& options = {},
+                       const TaskControl& control = {});
+
+}  // namespace gonio::photograph

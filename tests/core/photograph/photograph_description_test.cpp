@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <algorithm>
+
+#include "core/io/image_io.h"
+#include "core/photograph/photograph.h"
+#include "core/support/error.h"
+#include "tests/support/test_program.h"
+
+namespace photograph_description_test {
+using namespace gonio;
+using namespace gonio::photograph;
+
+/// With ' in place of ".
+std::string quoted(std::string text) {
+  std::ranges::replace(text, '\'', '"');
+  return text;
+}
+
+const std::filesystem::path folder = GONIO_TEST_OUTPUT_DIR;
+
+std::string description(const std::string& image) {
+  return quoted("{'format': 'gonio photographs', 'version': 1, 'images': [") + image + "]}";
+}
+
+std::string imageWith(const std::string& members, const std::string& file = "photograph.exr") {
+  return quoted("{'file': '") + file + quoted("', 'camera': {'position': [0, 0, 4], 'fieldOfView': 31.5}") + members +
+         "}";
+}
+
+const std::string studio = quoted(", 'lights': [{'environment': 'studio', 'rotation': 90}]");
+
+class PhotographDescriptionTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Image image(40, 40);
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x) image.at(x, y) = glm::vec3(std::min(1.0f, float(x) / 30));
+    io::writeExr(image, folder / "photograph.exr");
+  }
+
+  void isRead() {
+    const auto found = parseDescription(
+        description(imageWith(studio + quoted(", 'sphere': {'x': 19.5, 'y': 20.5, 'radius': 15}, 'clip': 0.9"))),
+        folder, true);
+    QCOMPARE(found.set.photographs.size(), std::size_t(1));
+    QVERIFY(found.set.exposureKnown);
+    const Photograph& photograph = found.set.photographs[0];
+    QCOMPARE(photograph.disc, (matching::Disc{19.5, 20.5, 15}));
+    QCOMPARE(photograph.clip, 0.9);
+    QCOMPARE(photograph.camera.distance, 4.0);
+    QCOMPARE(photograph.light.rotation, halfPi);
+    QCOMPARE(photograph.image.width, 40);
+  }
+
+  /// Without an outline, it is that of the camera; the scene shows it there.
+  void outlineFollowsFromTheCamera() {
+    const auto found =
+        parseDescription(description(imageWith(studio + quoted(", 'width': 100, 'height': 80"))), folder, false);
+    const Photograph& photograph = found.set.photographs[0];
+    QCOMPARE(photograph.disc.x, 50.0);
+    QVERIFY(std::abs(photograph.disc.radius - 40 / std::sqrt(15.0) / std::tan(radians(31.5 / 2))) < 1e-9);
+    QVERIFY(std::abs(sceneOf(photograph, 100, 80).camera.fieldOfView - radians(31.5)) < 1e-9);
+    QCOMPARE(found.sizes[0], glm::ivec2(100, 80));
+  }
+
+  void clippedPixelsAreFound() {
+    const auto found = parseDescription(description(imageWith(studio)), folder, true);
+    QCOMPARE(found.set.photographs[0].clip, 1.0);
+    QCOMPARE(found.set.warnings.size(), std::size_t(1));
+    QVERIFY(found.set.warnings[0].find("clipped") != std::string::npos);
+  }
+
+  void refusesBadInput_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* name, const std::string& text, const char* message) {
+      QTest::newRow(name) << QString::fromStdString(text) << message;
+    };
+    row("no format", quoted("{'version': 1, 'images': []}"), "format");
+    row("no images", quoted("{'format': 'gonio photographs', 'version': 1, 'images': []}"), "images");
+    row("PNG", description(imageWith(studio, "photograph.png")), "not linear");
+    row("JPEG", description(imageWith(studio, "photograph.JPG")), "not linear");
+    row("no such file", description(imageWith(studio, "missing.exr")), "missing.exr");
+    row("no light", description(imageWith(quoted(", 'lights': []"))), "at least one light");
+    row("unknown member", description(imageWith(studio + quoted(", 'shpere': 1"))), "shpere");
+    row("unknown environment", description(imageWith(quoted(", 'lights': [{'environment': 'moon'}]"))), "moon");
+    row("light inside",
+        description(imageWith(quoted(", 'lights': [{'position': [0, 0.5, 0], 'intensity': [1, 1, 1]}]"))),
+        "outside of the sphere");
+    row("no direction", description(imageWith(quoted(", 'lights': [{'toLight': [0, 0, 0], 'irradiance': [1, 1, 1]}]"))),
+        "toLight");
+    row("outline outside", description(imageWith(studio + quoted(", 'sphere': {'x': 60, 'y': 5, 'radius': 15}"))),
+        "sphere.x");
+    row("camera inside",
+        description(quoted("{'file': 'photograph.exr', 'camera': {'position': [0, 0, 0.5]}") + studio + "}"),
+        "above 1");
+    row("exposure", quoted("{'format': 'gonio photographs', 'version': 1, 'exposure': 'auto', 'images': []}"),
+        "exposure");
+  }
+  void refusesBadInput() {
+    QFETCH(QString, text);
+    QFETCH(QString, message);
+    try {
+      parseDescription(text.toStdString(), folder, true);
+    } catch (const Error& error) {
+      QVERIFY2(QString::fromUtf8(error.what()).contains(message), error.what());
+      return;
+    }
+    QFAIL("it was accepted");
+  }
+};
+
+GONIO_TEST(PhotographDescriptionTest)
+
+}  // namespace photograph_description_test
+
+#include "photograph_description_test.moc"

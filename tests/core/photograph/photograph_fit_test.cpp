@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/photograph/photograph_fit.h"
+
+#include <QTest>
+
+#include "core/metrics/image_metrics.h"
+#include "core/rendering/render_picture.h"
+#include "core/support/error.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
+
+namespace photograph_fit_test {
+using namespace gonio;
+using namespace gonio::photograph;
+
+constexpr HalfDifferenceGrid grid{45, 15, 18, true};
+
+/// Materials of which the prior is learned: GGX of several widths, colours and strengths.
+const std::vector<std::shared_ptr<const TabulatedBrdf>>& tables() {
+  static const auto all = [] {
+    std::vector<std::shared_ptr<const TabulatedBrdf>> result;
+    for (const double roughness : {0.15, 0.25, 0.4, 0.6})
+      for (const double f0 : {0.03, 0.08, 0.3})
+        for (const Rgb diffuse : {Rgb(0.05, 0.1, 0.3), Rgb(0.5, 0.3, 0.1)})
+          result.push_back(bakeTable(*test::ggx(diffuse, Rgb(1), roughness, f0), grid));
+    return result;
+  }();
+  return all;
+}
+
+const dictionary::PrincipalComponents& basis() {
+  static const auto learned =
+      dictionary::learnPrincipalComponents(tables().size(), [](std::size_t m) { return tables()[m]; });
+  return learned;
+}
+
+const PhotographPrior& prior() {
+  static const PhotographPrior result = photographPrior(basis(), 40);
+  return result;
+}
+
+/// A picture by the path tracer.
+PhotographSet photographOf(const Brdf& material, float factor = 1) {
+  Photograph photograph{.name = "test",
+                        .image = {},
+                        .disc = {},
+                        .camera = {.pitch = 0.1},
+                        .light = {.environment = rendering::studioEnvironment(), .rotation = 0.4}};
+  photograph.disc = discOf(photograph.camera, 64, 64);
+  photograph.image = rendering::renderPicture(material, sceneOf(photograph, 64, 64),
+                                              {.width = 64, .height = 64, .samples = 64, .density = {}});
+  for (glm::vec3& pixel : photograph.image.pixels) pixel *= factor;
+  return {.photographs = {photograph}, .warnings = {}};
+}
+
+double snrUnderOtherLight(const Brdf& reference, const Brdf& found) {
+  const rendering::Scene scene = rendering::sphereScene();
+  const rendering::RenderOptions options{.width = 64, .height = 64, .samples = 4, .density = {}};
+  return metrics::signalToNoiseRatio(rendering::renderPicture(reference, scene, options),
+                                     rendering::renderPicture(found, scene, options));
+}
+
+constexpr FitOptions quick{.regions = 250};
+
+class PhotographFitTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// A material in the span of the prior comes back from its picture, and looks the same under other light.
+  void recoversATrainingMaterial() {
+    for (const std::size_t m : {std::size_t(2), std::size_t(9)}) {
+      const PhotographFit fit = fitPhotographs(prior(), photographOf(*tables()[m]), quick);
+      const auto found = dictionary::decode(basis(), fit.code);
+      const double snr = snrUnderOtherLight(*tables()[m], *found);
+      QVERIFY2(fit.residualSnr[0] > 30, QByteArray::number(fit.residualSnr[0]));
+      QVERIFY2(snr > 25, QByteArray::number(snr));
+      QCOMPARE(fit.exposure, 1.0);
+      for (const auto& value : found->values()) QVERIFY(value.x >= 0 && value.y >= 0 && value.z >= 0);
+    }
+  }
+
+  /// A common factor of all pixels is found if it is unknown. The light does not show it: it is as uncertain as the
+  /// albedo of the training materials.
+  void findsTheExposure() {
+    const PhotographSet known = photographOf(*tables()[8]);
+    PhotographSet unknown = photographOf(*tables()[8], 7);
+    unknown.exposureKnown = false;
+    const PhotographFit fit = fitPhotographs(prior(), unknown, quick);
+    QVERIFY2(std::abs(std::log(fit.exposure / 7)) < 3 * fit.exposureDeviation, QByteArray::number(fit.exposure));
+    QVERIFY2(std::abs(std::log(fit.exposure / 7)) < 0.5, QByteArray::number(fit.exposure));
+    const PhotographFit reference = fitPhotographs(prior(), known, quick);
+    QVERIFY(fit.residualSnr[0] > reference.residualSnr[0] - 3);
+  }
+
+  /// On average over the cells, a photograph leaves less uncertainty than the training set has.
+  void photographsReduceTheUncertainty() {
+    const PhotographFit fit = fitPhotographs(prior(), photographOf(*tables()[5]), quick);
+    const auto deviation = deviations(basis(), fit);
+    const auto training = dictionary::leftOutVariance(basis(), 0, 0, basis().mapping.cells.size());
+    QCOMPARE(deviation.size(), training.size());
+    double posterior = 0, before = 0;
+    for (std::size_t i = 0; i < training.size(); ++i)
+      for (int channel = 0; channel < 3; ++channel) {
+        QVERIFY(std::isfinite(deviation[i][channel]) && deviation[i][channel] >= 0);
+        posterior += deviation[i][channel] * deviation[i][channel];
+        before += training[i];
+      }
+    QVERIFY2(posterior < 0.25 * before, QByteArray::number(posterior / before));
+  }
+
+  /// The checks name the fault.
+  void recognisesAShiftedOutline() {
+    PhotographSet set = photographOf(*tables()[0]);
+    set.photographs[0].disc.x += 1;
+    const PhotographFit fit = fitPhotographs(prior(), set, quick);
+    const auto strongest = std::ranges::max_element(fit.checks, {}, &InputCheck::evidence);
+    QByteArray text;
+    for (const InputCheck& check : fit.checks)
+      text += QByteArray::fromStdString(check.property) + " " + QByteArray::number(check.estimate) + " " +
+              QByteArray::number(check.deviation) + " " + QByteArray::number(check.evidence) + "; ";
+    QVERIFY2(strongest->property == "outline x", text);
+    QVERIFY2(std::abs(strongest->estimate + 1) < 0.5, text);
+    QVERIFY2(strongest->isSuspicious, text);
+    QCOMPARE(fit.warnings.size(), std::size_t(1));
+  }
+
+  void canBeCancelled() {
+    std::stop_source source;
+    source.request_stop();
+    const PhotographSet set = photographOf(*tables()[5]);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, fitPhotographs(prior(), set, quick, {source.get_token(), {}}));
+  }
+};
+
+GONIO_TEST(PhotographFitTest)
+
+}  // namespace photograph_fit_test
+
+#include "photograph_fit_test.moc"

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+//
+// gonio_studies photographs SHARED [MATERIAL ...]: reconstructions of RGL materials from one picture by Mitsuba 3 each
+// (data/renderings in SHARED, the folder of the development data), without the material and its copies in the prior.
+// Prints a row per material and method: rendered SNR against the RGL file under the light of the picture and under
+// other light, dB; then the medians.
+// gonio_studies photographs SHARED --wrong [MATERIAL ...]: what is reported of wrong input: a shifted outline, a
+// rotated environment, a wrong and an unknown exposure, clipped pixels, and pixels that are not linear.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <map>
+
+#include "core/brdf/data_transform.h"
+#include "core/fitting/bounded_least_squares.h"
+#include "core/fitting/projected_problem.h"
+#include "core/models/registry.h"
+#include "core/photograph/photograph_fit.h"
+#include "core/study/training_files.h"
+#include "tests/studies/study_program.h"
+#include "tests/support/mitsuba_pictures.h"
+
+namespace gonio::study::photographs_study {
+namespace {
+
+using photograph::PhotographPrior, photograph::PhotographSet;
+
+constexpr HalfDifferenceGrid coarseGrid{90, 30, 36, true};
+
+/// A MERL table at every third node in theta_d and every fifth in phi_d.
+std::shared_ptr<const TabulatedBrdf> coarse(const TabulatedBrdf& fine) {
+  std::vector<TabulatedBrdf::Value> values(coarseGrid.size());
+  std::vector<std::uint8_t> valid(coarseGrid.size());
+  for (int i = 0; i < coarseGrid.thetaHCount; ++i)
+    for (int j = 0; j < coarseGrid.thetaDCount; ++j)
+      for (int k = 0; k < coarseGrid.phiDCount; ++k) {
+        const std::size_t from = fine.grid().index(i, 3 * j, 5 * k), to = coarseGrid.index(i, j, k);
+        values[to] = fine.values()[from];
+        valid[to] = fine.valid()[from];
+      }
+  return std::make_shared<const TabulatedBrdf>(coarseGrid, std::move(values), std::move(valid));
+}
+
+struct Training {
+  std::vector<std::string> names;
+  std::vector<std::shared_ptr<const TabulatedBrdf>> tables;
+};
+
+Training loadTraining() {
+  Training training;
+  const auto files = trainingFilesOrLibrary({});
+  const auto materials = trainingMaterials(files);
+  for (std::size_t m = 0; m < files.size(); ++m) {
+    training.names.push_back(materials.names[m]);
+    training.tables.push_back(coarse(*materials.load(m)));
+  }
+  return training;
+}
+
+dictionary::PrincipalComponents basisWithout(const Training& training, const std::string& left, int components) {
+  std::vector<std::size_t> kept;
+  for (std::size_t m = 0; m < training.names.size(); ++m)
+    if (training.names[m] != left) kept.push_back(m);
+  return dictionary::learnPrincipalComponents(kept.size(), [&](std::size_t m) { return training.tables[kept[m]]; },
+                                              {.maxComponents = components});
+}
+
+/// The lights under which materials are compared, with the names of their columns.
+struct Views {
+  std::vector<std::string> names;
+  std::vector<rendering::RenderedComparison> comparisons;
+};
+
+constexpr rendering::RenderOptions compared{.width = 64, .height = 64, .samples = 16, .density = {}};
+
+Views viewsOf(const std::filesystem::path& shared, const Brdf& truth) {
+  Views views;
+  views.names.push_back("studio");
+  views.comparisons.emplace_back(test::mitsubaScene(shared), truth, compared);
+  for (const char* name : {"lobby", "sunset"}) {
+    views.names.emplace_back(name);
+    views.comparisons.emplace_back(rendering::sphereScene(rendering::openEnvironment(
+                                       (shared / "data/environments" / (std::string(name) + ".hdr")).string())),
+                                   truth, compared);
+  }
+  for (const int angle : {0, 20, 40, 60, 80}) {
+    rendering::Scene scene = rendering::sphereScene();
+    scene.directionalLights[0].toLight = {std::sin(radians(angle)), 0, std::cos(radians(angle))};
+    views.names.push_back(std::to_string(angle) + " deg");
+    views.comparisons.emplace_back(scene, truth, compared);
+  }
+  return views;
+}
+
+/// The fraction of the channels of the cells of which the error is less than the deviation.
+/// @param ratio receives the root mean square of error / deviation.
+double coverage(const dictionary::PrincipalComponents& basis, const photograph::PhotographFit& fit,
+                const TabulatedBrdf& truth, const TabulatedBrdf& found, double& ratio) {
+  const auto deviations = photograph::deviations(basis, fit);
+  const dictionary::MappedCells& m = basis.mapping;
+  double within = 0, count = 0, sum = 0;
+  for (std::size_t i = 0; i < m.cells.size(); ++i) {
+    if (!truth.valid()[m.cells[i]]) continue;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double error = logRelative(truth.values()[m.cells[i]][channel], m.weights[i], m.reference[i]) -
+                           logRelative(found.values()[m.cells[i]][channel], m.weights[i], m.reference[i]);
+      within += std::abs(error) < deviations[i][channel];
+      sum += error * error / (deviations[i][channel] * deviations[i][channel]);
+      ++count;
+    }
+  }
+  ratio = std::sqrt(sum / count);
+  return within / count;
+}
+
+using photograph::PixelRows, photograph::Region;
+
+/// Pixel values of regions, to which other methods are fitted.
+struct ImageData {
+  std::vector<Region> regions;
+  PixelRows rows;
+  std::vector<DirectionPair> pairs;  ///< of the cells
+};
+
+ImageData imageData(const PhotographPrior& prior, const PhotographSet& set) {
+  ImageData data{.regions = photograph::regionsOf(set, 150), .rows = {}, .pairs = {}};
+  data.rows = photograph::assembleRows(prior.mapping, set, data.regions);
+  for (const std::uint32_t cell : prior.mapping.cells) data.pairs.push_back(prior.mapping.grid.directions(cell));
+  return data;
+}
+
+/// Differences relative to the pixel values, as in the reconstruction.
+void differences(const ImageData& data, const std::vector<glm::vec3>& cellValues, std::span<double> out) {
+  const std::vector<Rgb> values = data.rows.values(cellValues);
+  Rgb mean(0);
+  for (const Region& region : data.regions) mean += region.value / double(data.regions.size());
+  for (std::size_t row = 0; row < values.size(); ++row)
+    for (int channel = 0; channel < 3; ++channel) {
+      const double value = data.regions[row].value[channel];
+      out[3 * row + std::size_t(channel)] =
+          (values[row][channel] - value) / (std::abs(value) + 0.02 * mean[channel] + 1e-9);
+    }
+}
+
+/// The parameters of a model that best reproduce the photograph, from each of some starts.
+std::shared_ptr<const Brdf> fittedModel(const ImageData& data, const models::Model& model,
+                                        const std::vector<models::ParameterValues>& starts, int iterations) {
+  const auto specs = model.spec().parameters;
+  struct Unknown {
+    std::size_t parameter;
+    int channel;
+    fitting::UnitScale scale;
+  };
+  std::vector<Unknown> unknowns;
+  for (std::size_t p = 0; p < specs.size(); ++p) {
+    if (!specs[p].choices.empty() || specs[p].id.find("retro") != std::string_view::npos) continue;
+    for (int channel = 0; channel < (specs[p].perChannel ? 3 : 1); ++channel)
+      unknowns.push_back({p, specs[p].perChannel ? channel : -1, fitting::UnitScale(specs[p])});
+  }
+  std::shared_ptr<const Brdf> best;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<Rgb> values(data.pairs.size());
+  std::vector<glm::vec3> cells(data.pairs.size());
+  std::vector<double> residuals(3 * data.rows.count());
+  for (const models::ParameterValues& start : starts) {
+    const auto valuesAt = [&](std::span<const double> x) {
+      models::ParameterValues parameters = start;
+      for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        Rgb& of = parameters.values[unknowns[i].parameter];
+        const double value = unknowns[i].scale.toValue(x[i]);
+        if (unknowns[i].channel < 0)
+          of = Rgb(value);
+        else
+          of[unknowns[i].channel] = value;
+      }
+      return parameters;
+    };
+    const auto compute = [&](std::span<const double> x, std::span<double> out) {
+      model.instantiate(valuesAt(x))->evaluate(data.pairs, values);
+      std::copy(values.begin(), values.end(), cells.begin());
+      differences(data, cells, out);
+    };
+    fitting::BoundedVariables variables;
+    for (const Unknown& unknown : unknowns) {
+      const double minimum = std::max(-1.0, unknown.scale.minimum()), maximum = std::min(3.0, unknown.scale.maximum());
+      variables.minimum.push_back(minimum);
+      variables.maximum.push_back(maximum);
+      const Rgb& of = start.values[unknown.parameter];
+      variables.start.push_back(std::clamp(unknown.scale.toUnit(of[std::max(0, unknown.channel)]), minimum, maximum));
+    }
+    const auto x = fitting::boundedLeastSquares(compute, residuals.size(), variables, iterations);
+    compute(x, residuals);
+    double sum = 0;
+    for (const double r : residuals) sum += r * r;
+    if (!(sum < least)) continue;
+    least = sum;
+    best = model.instantiate(valuesAt(x));
+  }
+  return best;
+}
+
+std::shared_ptr<const Brdf> fittedGgx(const ImageData& data) {
+  const models::Model& model = models::findModel("ggx");
+  std::vector<models::ParameterValues> starts;
+  for (const double roughness : {0.1, 0.35}) {
+    starts.push_back(models::defaultParameters(model.spec()));
+    starts.back().values[*model.spec().find("roughness")] = Rgb(roughness);
+  }
+  return fittedModel(data, model, starts, 20);
+}
+
+std::shared_ptr<const Brdf> fittedLobes(const ImageData& data) {
+  const models::Model& model = models::findModel("layered");
+  models::ParameterValues start = models::defaultParameters(model.spec());
+  for (std::size_t p = 0; p < model.spec().parameters.size(); ++p) {
+    const auto& spec = model.spec().parameters[p];
+    if (!spec.choices.empty() && spec.id.find("retro") == std::string_view::npos) start.values[p] = Rgb(1);
+  }
+  return fittedModel(data, model, {start}, 12);
+}
+
+std::shared_ptr<const Brdf> nearest(const ImageData& data, const PhotographPrior& prior, const Training& training,
+                                    const std::string& left, std::string& name) {
+  std::shared_ptr<const Brdf> best;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<glm::vec3> cells(prior.mapping.cells.size());
+  std::vector<double> residuals(3 * data.rows.count());
+  for (std::size_t m = 0; m < training.names.size(); ++m) {
+    if (training.names[m] == left) continue;
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = training.tables[m]->values()[prior.mapping.cells[i]];
+    differences(data, cells, residuals);
+    double sum = 0;
+    for (const double r : residuals) sum += std::min(r * r, 1e6);
+    if (!(sum < least)) continue;
+    least = sum;
+    best = training.tables[m];
+    name = training.names[m];
+  }
+  return best;
+}
+
+/// Rendered SNRs of all methods: [method][view], a value per material.
+class Table {
+ public:
+  void add(const std::string& material, const std::string& method, const Views& views, const Brdf& test) {
+    if (std::ranges::find(methods_, method) == methods_.end()) methods_.push_back(method);
+    std::printf("| %s | %s |", material.c_str(), method.c_str());
+    for (std::size_t v = 0; v < views.comparisons.size(); ++v) {
+      const double snr = views.comparisons[v].signalToNoiseRatio(views.comparisons[v].render(test));
+      (v == 0 ? same_ : other_)[method].push_back(snr);
+      std::printf(" %.1f |", snr);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+  void printMedians() const {
+    const auto median = [](std::vector<double> values) {
+      std::ranges::sort(values);
+      return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+    };
+    std::printf("\n| method | same light | other light |\n|---|---|---|\n");
+    for (const std::string& method : methods_)
+      std::printf("| %s | %.1f | %.1f |\n", method.c_str(), median(same_.at(method)), median(other_.at(method)));
+  }
+
+ private:
+  std::vector<std::string> methods_;
+  std::map<std::string, std::vector<double>> same_, other_;
+};
+
+PhotographSet mitsubaPhotograph(const std::filesystem::path& shared, const std::string& material) {
+  const rendering::Scene scene = test::mitsubaScene(shared);
+  photograph::Photograph photo{.name = material,
+                               .image = test::mitsubaPicture(shared, material, 1),
+                               .disc = {},
+                               .camera = scene.camera,
+                               .light = {.environment = scene.environment}};
+  photo.disc = photograph::discOf(photo.camera, photo.image.width, photo.image.height);
+  PhotographSet set;
+  set.photographs.push_back(std::move(photo));
+  return set;
+}
+
+/// Four pictures by Gonio, the environment turned by a quarter each.
+PhotographSet fourPhotographs(const std::filesystem::path& shared, const Brdf& truth) {
+  PhotographSet set;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    rendering::Scene scene = test::mitsubaScene(shared);
+    scene.environmentRotation = quarter * halfPi;
+    photograph::Photograph photo{
+        .name = "rotation " + std::to_string(90 * quarter),
+        .image = rendering::renderPicture(truth, scene,
+                                          {.width = 128, .height = 128, .samples = 32, .seed = 7, .density = {}}),
+        .disc = {},
+        .camera = scene.camera,
+        .light = {.environment = scene.environment, .rotation = scene.environmentRotation}};
+    photo.disc = photograph::discOf(photo.camera, photo.image.width, photo.image.height);
+    set.photographs.push_back(std::move(photo));
+  }
+  return set;
+}
+
+int reconstructions(const std::filesystem::path& shared, const std::vector<std::string>& materials) {
+  const Training training = loadTraining();
+  Table table;
+  double sumWithin = 0;
+  for (const std::string& material : materials) {
+    const auto truth = test::mitsubaMaterial(shared, material);
+    const Views views = viewsOf(shared, *truth);
+    const auto basis = basisWithout(training, material, photograph::defaultPhotographComponents);
+    const PhotographPrior prior = photograph::photographPrior(basis);
+    const auto truthTable = coarse(*meanOfOrders(bakeTable(*truth, HalfDifferenceGrid())));
+    const PhotographSet one = mitsubaPhotograph(shared, material);
+    for (const bool four : {false, true}) {
+      const PhotographSet set = four ? fourPhotographs(shared, *truth) : one;
+      const auto start = std::chrono::steady_clock::now();
+      const std::clock_t startCpu = std::clock();
+      const auto fit = photograph::fitPhotographs(prior, set, {.regions = four ? std::size_t(1200) : std::size_t(600)});
+      const double cpu = double(std::clock() - startCpu) / CLOCKS_PER_SEC;
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      const auto found = dictionary::decode(basis, fit.code);
+      double ratio = 0;
+      const double within = coverage(basis, fit, *truthTable, *found, ratio);
+      if (!four) sumWithin += within;
+      std::printf(
+          "%s, %s: %.1f s (%.1f s of processor time), h %.2f, model noise %.4f, residual %.1f dB, within one "
+          "deviation %.3f, error / deviation %.2f\n",
+          material.c_str(), four ? "four images" : "one image", seconds, cpu, fit.bandwidth, fit.modelNoise,
+          fit.residualSnr[0], within, ratio);
+      for (const std::string& warning : fit.warnings) std::printf("warning: %s\n", warning.c_str());
+      table.add(material, four ? "four photographs" : "one photograph", views, *found);
+    }
+    const ImageData data = imageData(prior, one);
+    std::string name;
+    const auto near = nearest(data, prior, training, material, name);
+    table.add(material, "nearest material", views, *near);
+    std::printf("nearest material: %s\n", name.c_str());
+    table.add(material, "GGX", views, *fittedGgx(data));
+    table.add(material, "layered lobes", views, *fittedLobes(data));
+    table.add(material, "reciprocal table", views, *truthTable);
+  }
+  table.printMedians();
+  std::printf("\nmean fraction within one deviation, one photograph: %.3f\n", sumWithin / double(materials.size()));
+  return 0;
+}
+
+/// What is wrong with the input.
+struct Fault {
+  const char* name;
+  void (*apply)(PhotographSet&);
+};
+
+const Fault faults[] = {
+    {"none", [](PhotographSet&) {}},
+    {"outline 3 pixels to the right", [](PhotographSet& set) { set.photographs[0].disc.x += 3; }},
+    {"environment rotated by 5 degrees", [](PhotographSet& set) { set.photographs[0].light.rotation = radians(5); }},
+    {"exposure 1.5 times the stated one",
+     [](PhotographSet& set) {
+       for (glm::vec3& pixel : set.photographs[0].image.pixels) pixel *= 1.5f;
+     }},
+    {"exposure unknown, 7 times",
+     [](PhotographSet& set) {
+       set.exposureKnown = false;
+       for (glm::vec3& pixel : set.photographs[0].image.pixels) pixel *= 7.0f;
+     }},
+    {"clipped at a third of the maximum",
+     [](PhotographSet& set) {
+       photograph::Photograph& photo = set.photographs[0];
+       float largest = 0;
+       for (const glm::vec3& pixel : photo.image.pixels)
+         if (std::isfinite(pixel.x + pixel.y + pixel.z)) largest = std::max({largest, pixel.x, pixel.y, pixel.z});
+       for (glm::vec3& pixel : photo.image.pixels) pixel = glm::min(pixel, glm::vec3(largest / 3));
+       photo.clip = photograph::clippedFrom(photo.image, photo.disc);
+     }},
+    {"gamma 1 / 2.2", [](PhotographSet& set) {
+       for (glm::vec3& pixel : set.photographs[0].image.pixels)
+         for (int c = 0; c < 3; ++c) pixel[c] = std::pow(std::max(0.0f, pixel[c]), 1 / 2.2f);
+     }}};
+
+int wrongInput(const std::filesystem::path& shared, const std::vector<std::string>& materials) {
+  const Training training = loadTraining();
+  std::printf(
+      "| material | fault | residual, dB | clip | exposure | strongest check | estimate | evidence | warning |\n"
+      "|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& material : materials) {
+    const auto basis = basisWithout(training, material, photograph::defaultPhotographComponents);
+    const PhotographPrior prior = photograph::photographPrior(basis);
+    for (const Fault& fault : faults) {
+      PhotographSet set = mitsubaPhotograph(shared, material);
+      fault.apply(set);
+      const auto fit = photograph::fitPhotographs(prior, set, {.regions = 300});
+      const auto& check = *std::ranges::max_element(fit.checks, {}, &photograph::InputCheck::evidence);
+      std::printf("| %s | %s | %.1f | %.3g | %.3g | %s | %.3g | %.1f | %s |\n", material.c_str(), fault.name,
+                  fit.residualSnr[0], set.photographs[0].clip, fit.exposure, check.property.c_str(), check.estimate,
+                  check.evidence, fit.warnings.empty() ? "" : fit.warnings.front().c_str());
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}
+
+int study(int argumentCount, char** arguments) {
+  if (argumentCount < 2) {
+    std::fprintf(stderr, "usage: gonio_studies photographs SHARED [--wrong] [MATERIAL ...]\n");
+    return 2;
+  }
+  std::vector<std::string> materials(arguments + 2, arguments + argumentCount);
+  const bool isWrong = std::erase(materials, "--wrong") > 0;
+  if (materials.empty()) materials = test::mitsubaMaterials();
+  return isWrong ? wrongInput(arguments[1], materials) : reconstructions(arguments[1], materials);
+}
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::photographs_study
