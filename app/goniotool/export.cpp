@@ -54,6 +54,13 @@ std::string sceneTargetList() {
   return text;
 }
 
+/// 3 of "3" and "3.4".
+int blenderSeries(const std::string& version) {
+  const std::string series = version.substr(0, version.find('.'));
+  if (series == "3" || series == "4") return series == "3" ? 3 : 4;
+  throw UsageError("found '" + version + "', expected 3 or 4, or a version of these such as 3.4");
+}
+
 exports::ExportOptions exportOptions(const ExportArguments& arguments, const exports::ExportTarget& target) {
   if ((arguments.thetaCount > 0) != (arguments.size > 0))
     throw UsageError("export: --theta-count and --size must be given together");
@@ -63,11 +70,7 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
   if (!arguments.blender.empty()) {
     if (!arguments.target.starts_with("blender") && arguments.target != "principled")
       throw UsageError("export: --blender is for blender and principled: found --for " + arguments.target);
-    const std::string series = arguments.blender.substr(0, arguments.blender.find('.'));
-    if (series != "3" && series != "4")
-      throw UsageError("export: --blender: found '" + arguments.blender +
-                       "', expected 3 or 4, or a version of these such as 3.4");
-    options.blender = series == "3" ? 3 : 4;
+    options.blender = blenderSeries(arguments.blender);
   }
   if (arguments.size == 0) return options;
   if (!target.usesSize)
@@ -157,7 +160,8 @@ void addExport(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 1 << 20));
   command
       ->add_option("--blender", options->blender, "Version of Blender that the export is for, such as 3.4 or 4.3 (4)")
-      ->type_name("VERSION");
+      ->type_name("VERSION")
+      ->check(parsedBy(blenderSeries));
   command
       ->add_option("--theta-count", options->thetaCount,
                    "Number of incident polar angles of a .bsdf file; needs --size")

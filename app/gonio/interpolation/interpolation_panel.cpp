@@ -16,6 +16,7 @@
 #include "widgets/interpolation/blend_strip.h"
 #include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/panels/model_panel.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
@@ -340,4 +341,3 @@ void InterpolationPanel::hideEvent(QHideEvent* event) {
 }  // namespace gonio::app
 
 #include "moc_interpolation_panel.cpp"
-#include "widgets/parameters/parameter_text.h"
