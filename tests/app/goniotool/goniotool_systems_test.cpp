@@ -22,7 +22,8 @@ class GoniotoolSystemsTest : public QObject {
     while (spans.hasNext()) {
       QStringList words = spans.next().captured(1).split(' ');
       if (words.last() == "...") words.removeLast();
-      const QStringList name = words[0] == "dictionary" ? words.mid(0, 2) : words.mid(0, 1);
+      const bool isPair = words[0] == "dictionary" || words[0] == "photograph";
+      const QStringList name = words.mid(0, isPair ? 2 : 1);
       const ToolResult help = runTool(name + QStringList{"--help"});
       VERIFY_SUCCESS(help);
       ++commands;
