@@ -93,7 +93,8 @@ int fitPhotograph(const PhotographFitArguments& options, const Tool& tool) {
             {"out", options.out}};
   if (trainingSeconds > 0) json["trainingSeconds"] = trainingSeconds;
   if (!options.uncertainty.empty()) json["uncertainty"] = options.uncertainty;
-  std::string text = options.out + ": from " + std::to_string(description.set.photographs.size()) + " images, " +
+  const std::size_t images = description.set.photographs.size();
+  std::string text = options.out + ": from " + std::to_string(images) + (images == 1 ? " image, " : " images, ") +
                      number(seconds) + " s\n";
   for (std::size_t i = 0; i < description.set.photographs.size(); ++i) {
     const photograph::Photograph& image = description.set.photographs[i];
