@@ -59,10 +59,10 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
   app.formatter(std::make_shared<tool::HelpFormatter>());
   app.footer("Exit code: 0 success, 1 failure or failed check, 2 wrong usage.");
   for (const auto add :
-       {tool::addInfo,        tool::addEvaluate, tool::addCheck,      tool::addConvert,     tool::addFit,
-        tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
-        tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
-        tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addFigure,
+       {tool::addInfo,        tool::addEvaluate,  tool::addCheck,      tool::addConvert,     tool::addFit,
+        tool::addEdit,        tool::addFactor,    tool::addDictionary, tool::addEncode,      tool::addDecode,
+        tool::addInterpolate, tool::addPlan,      tool::addMeasure,    tool::addReconstruct, tool::addExport,
+        tool::addRender,      tool::addScenes,    tool::addCompare,    tool::addStudy,       tool::addFigure,
         tool::addTrainNeural, tool::addReproduce, tool::addPhotograph})
     add(app, tool);
   // For the build: prints a page of docs with its tables.
