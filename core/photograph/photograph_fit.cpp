@@ -609,6 +609,7 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   const MatrixX3d distances = signalDistances(images, someData, rowsOf(problem.noise, some), set.exposureKnown);
   const double start = set.exposureKnown ? 0 : firstLogExposure(images, someData);
   std::vector<LocalPrior> priors;
+  priors.reserve(std::size(triedBandwidths));
   for (const double bandwidth : triedBandwidths)
     priors.push_back(localPrior(prior.v, distances, bandwidth, set.exposureKnown, start));
 

@@ -59,8 +59,9 @@ Region emptyRegion(const Square& square, const matching::Disc& disc, std::size_t
   for (RegionPoint& quarter : quarters) quarter.share = 0;
   double count = 0;
   forEachPixel(square, disc, [&](int x, int y) {
-    RegionPoint& quarter = quarters[std::size_t((2 * (x - square.left) >= square.side ? 1 : 0) +
-                                                (2 * (y - square.top) >= square.side ? 2 : 0))];
+    const std::size_t right = 2 * (x - square.left) >= square.side ? 1 : 0;
+    const std::size_t lower = 2 * (y - square.top) >= square.side ? 2 : 0;
+    RegionPoint& quarter = quarters[right + lower];
     quarter.pixel += glm::dvec2(x + 0.5, y + 0.5);
     quarter.share += 1;
     region.centre += glm::dvec2(x + 0.5, y + 0.5);
