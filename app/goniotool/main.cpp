@@ -11,7 +11,6 @@
 #include "app/goniotool/usage.h"
 #include "core/io/csv_text.h"
 #include "core/math/parallel.h"
-#include "core/support/stop_on_signal.h"
 #include "core/support/system.h"
 
 namespace {

@@ -22,19 +22,8 @@ struct PhotographFitArguments {
   std::string description, out, basis, uncertainty;
   std::vector<std::string> train, excluded;
   int components = photograph::defaultPhotographComponents;
-  photograph::FitOptions fit;
+  std::size_t regions = photograph::defaultRegions;
 };
-
-std::shared_ptr<const TabulatedBrdf> channelDeviationTable(const dictionary::MappedCells& mapping,
-                                                           const std::vector<glm::vec3>& deviations) {
-  std::vector<TabulatedBrdf::Value> values(mapping.grid.size(), TabulatedBrdf::Value(0));
-  std::vector<std::uint8_t> valid(mapping.grid.size(), 0);
-  for (std::size_t i = 0; i < deviations.size(); ++i) {
-    values[mapping.cells[i]] = deviations[i];
-    valid[mapping.cells[i]] = 1;
-  }
-  return std::make_shared<const TabulatedBrdf>(mapping.grid, std::move(values), std::move(valid));
-}
 
 Json checksJson(const std::vector<photograph::InputCheck>& checks) {
   Json json = Json::array();
@@ -65,17 +54,19 @@ int fitPhotograph(const PhotographFitArguments& options, const Tool& tool) {
   }
   const auto start = std::chrono::steady_clock::now();
   const auto prior = photograph::photographPrior(basis->components, options.components);
-  const auto found = photograph::fitPhotographs(prior, description.set, options.fit, tool.control("reconstructing"));
+  const auto found =
+      photograph::fitPhotographs(prior, description.set, options.regions, tool.control("reconstructing"));
   const auto table = dictionary::decode(basis->components, found.code);
   const double seconds = secondsSince(start);
-  const std::vector<glm::vec3> deviations = photograph::deviations(basis->components, found);
+  const std::vector<glm::vec3> deviations =
+      photograph::deviations(basis->components, found, tool.control("uncertainty"));
   std::vector<float> each;
   for (const glm::vec3& of : deviations)
     for (int channel = 0; channel < 3; ++channel) each.push_back(of[channel]);
   const double median = medianOf(each);
   const WrittenMaterial written = writeMaterial("photograph", table, options.out, tool);
   if (!options.uncertainty.empty())
-    writeMaterial("deviation", channelDeviationTable(basis->components.mapping, deviations), options.uncertainty, tool);
+    writeMaterial("deviation", cellTable(basis->components.mapping, deviations), options.uncertainty, tool);
 
   Json json{{"images", Json::array()},
             {"regions", found.regions.size()},
@@ -169,7 +160,7 @@ void addPhotographFit(CLI::App& app, Tool& tool) {
       ->delimiter(',')
       ->excludes(basis);
   command->add_option("--components", options->components, "Max. number of components (64)")->check(CLI::Range(1, 512));
-  command->add_option("--regions", options->fit.regions, "Max. number of regions of pixels, of all images (600)")
+  command->add_option("--regions", options->regions, "Max. number of regions of pixels, of all images (600)")
       ->check(CLI::Range(50, 20000));
   command
       ->add_option("--uncertainty", options->uncertainty,

@@ -145,18 +145,6 @@ std::shared_ptr<const materials::BasisFile> basisOf(const ReconstructArguments& 
   return materials::readBasis(beside);
 }
 
-/// The deviations as a table: of each cell its own in all channels.
-std::shared_ptr<const TabulatedBrdf> deviationTable(const dictionary::MappedCells& mapping,
-                                                    const std::vector<float>& deviation) {
-  std::vector<TabulatedBrdf::Value> values(mapping.grid.size(), TabulatedBrdf::Value(0));
-  std::vector<std::uint8_t> valid(mapping.grid.size(), 0);
-  for (std::size_t i = 0; i < deviation.size(); ++i) {
-    values[mapping.cells[i]] = TabulatedBrdf::Value(deviation[i]);
-    valid[mapping.cells[i]] = 1;
-  }
-  return std::make_shared<const TabulatedBrdf>(mapping.grid, std::move(values), std::move(valid));
-}
-
 void report(const ReconstructArguments& options, bool equalNoise, const Reconstruction& found, std::size_t samples,
             double seconds, double trainingSeconds, const WrittenMaterial& written, const Tool& tool) {
   Json json{{"method", methodOf(options)},
@@ -212,8 +200,10 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   const double seconds = secondsSince(start);
   const WrittenMaterial written = writeMaterial("reconstruction", found.table, options.out, tool);
   if (!options.uncertainty.empty())
-    writeMaterial("deviation", deviationTable(basis->components.mapping, found.standardDeviation), options.uncertainty,
-                  tool);
+    writeMaterial("deviation",
+                  cellTable(basis->components.mapping,
+                            std::vector<glm::vec3>(found.standardDeviation.begin(), found.standardDeviation.end())),
+                  options.uncertainty, tool);
   report(options, chosen.equalNoise, found, plan.samples.size(), seconds, trainingSeconds, written, tool);
   return 0;
 }

@@ -16,22 +16,13 @@ namespace gonio::photograph {
 
 namespace {
 
-constexpr double mostLength = 1e6;
 constexpr std::uint64_t maxDescriptionBytes = std::uint64_t(1) << 24;
 constexpr std::size_t maxPhotographs = 64;
 constexpr int defaultSide = 256, mostSide = 16384;
 
-Direction numbersOf(const JsonObject& object, std::string_view key, double least) {
-  const std::string expected = least < 0 ? "three numbers, as [1, 2, 3]" : "three numbers of at least 0, as [1, 2, 3]";
-  const nlohmann::json& found = object.member(key, expected);
-  if (!found.is_array() || found.size() != 3) object.fail(key, expected);
-  Direction result;
-  for (int i = 0; i < 3; ++i) {
-    if (!found[std::size_t(i)].is_number()) object.fail(key, expected);
-    result[i] = found[std::size_t(i)].get<double>();
-    if (!(result[i] >= least && std::abs(result[i]) <= mostLength)) object.fail(key, expected);
-  }
-  return result;
+Direction numbersOf(const JsonObject& object, std::string_view key, bool mayBeNegative = true) {
+  const auto [x, y, z] = object.triple(key, mayBeNegative);
+  return {x, y, z};
 }
 
 double optionalNumber(const JsonObject& object, std::string_view key, double min, double max, double otherwise) {
@@ -42,7 +33,7 @@ rendering::OrbitCamera cameraOf(const JsonObject& json) {
   json.expectOnly({"position", "fieldOfView"});
   rendering::OrbitCamera camera;
   camera.fieldOfView = radians(optionalNumber(json, "fieldOfView", 1, 120, degrees(camera.fieldOfView)));
-  const Direction position = numbersOf(json, "position", -mostLength);
+  const Direction position = numbersOf(json, "position");
   camera.distance = glm::length(position);
   if (!(camera.distance > 1))
     json.fail("position", "a point outside of the sphere: its distance from the centre, in radii, must be above 1");
@@ -60,13 +51,13 @@ void readLight(const JsonObject& json, const std::filesystem::path& folder, Ligh
     light.environment = rendering::openEnvironment(json.text("environment"), folder);
     light.rotation = radians(optionalNumber(json, "rotation", -360, 360, 0));
   } else if (json.contains("toLight")) {
-    const Direction toLight = numbersOf(json, "toLight", -mostLength);
+    const Direction toLight = numbersOf(json, "toLight");
     if (!(glm::length(toLight) > 0)) json.fail("toLight", "a direction, not [0, 0, 0]");
-    light.directional.push_back({glm::normalize(toLight), numbersOf(json, "irradiance", 0)});
+    light.directional.push_back({glm::normalize(toLight), numbersOf(json, "irradiance", false)});
   } else if (json.contains("position")) {
-    const Direction position = numbersOf(json, "position", -mostLength);
+    const Direction position = numbersOf(json, "position");
     if (!(glm::length(position) > 1)) json.fail("position", "a light outside of the sphere, in radii from its centre");
-    light.points.push_back({position, numbersOf(json, "intensity", 0)});
+    light.points.push_back({position, numbersOf(json, "intensity", false)});
   } else {
     json.fail("environment", "\"environment\", \"toLight\" (a distant light) or \"position\" (a small light)");
   }
@@ -121,7 +112,7 @@ void readPhotograph(const JsonObject& json, const std::filesystem::path& folder,
   if (disc.x < 0 || disc.y < 0 || disc.x > size.x || disc.y > size.y || disc.radius < matching::minDiscRadius)
     json.fail("sphere", "an outline with its centre in the image and a radius of at least 8 pixels");
   if (reads) photograph.clip = clippedFrom(photograph.image, photograph.disc);
-  if (json.contains("clip")) photograph.clip = json.number("clip", 0, mostLength);
+  if (json.contains("clip")) photograph.clip = json.number("clip", 0, JsonObject::maxOfTriple);
   if (reads && !json.contains("clip") && std::isfinite(photograph.clip))
     result.set.warnings.push_back(photograph.name + ": many pixels have the largest value, " +
                                   numberText(photograph.clip) + "; they count as clipped and are not used");

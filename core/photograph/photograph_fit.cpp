@@ -5,13 +5,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "core/brdf/data_transform.h"
-#include "core/math/decompositions.h"
 #include "core/math/parallel.h"
-#include "core/support/error.h"
 #include "core/support/text.h"
 
 namespace gonio::photograph {
@@ -22,76 +19,6 @@ namespace {
 
 constexpr Index channelCount = 3;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-/// The step between the nodes of one axis, of which about `wanted` remain; a divisor of the count.
-int stepOf(int count, int wanted) {
-  int step = std::max(1, count / wanted);
-  while (count % step != 0) --step;
-  return step;
-}
-
-}  // namespace
-
-PhotographPrior photographPrior(const dictionary::PrincipalComponents& basis, int components) {
-  constexpr int thetaDNodes = 30, phiDNodes = 36;
-  const HalfDifferenceGrid& fine = basis.mapping.grid;
-  if (!fine.reciprocal) throw Error("photographs need principal components of reciprocal materials");
-  const int stepD = stepOf(fine.thetaDCount, thetaDNodes), stepPhi = stepOf(fine.phiDCount, phiDNodes);
-  PhotographPrior prior;
-  HalfDifferenceGrid& grid = prior.mapping.grid;
-  grid = {fine.thetaHCount, fine.thetaDCount / stepD, fine.phiDCount / stepPhi, true};
-  std::vector<std::size_t> chosen;  // places in basis.mapping.cells
-  for (std::size_t i = 0; i < basis.mapping.cells.size(); ++i) {
-    const std::size_t cell = basis.mapping.cells[i];
-    const int phi = int(cell % std::size_t(fine.phiDCount)), row = int(cell / std::size_t(fine.phiDCount));
-    const int thetaD = row % fine.thetaDCount, thetaH = row / fine.thetaDCount;
-    if (phi % stepPhi != 0 || thetaD % stepD != 0) continue;
-    chosen.push_back(i);
-    prior.mapping.cells.push_back(std::uint32_t(grid.index(thetaH, thetaD / stepD, phi / stepPhi)));
-    prior.mapping.weights.push_back(basis.mapping.weights[i]);
-    prior.mapping.reference.push_back(basis.mapping.reference[i]);
-  }
-  const Index used = std::min<Index>(components, basis.count());
-  prior.v = basis.svd.v.leftCols(used);
-  prior.singularValues = basis.svd.singularValues.head(used);
-  const auto rows = Index(chosen.size());
-  prior.d.resize(rows, used);
-  prior.mean.resize(rows);
-  prior.leftOut.resize(rows);
-  const auto u = basis.svd.u.view();
-  const Eigen::RowVectorXf singular = basis.svd.singularValues.head(used).cast<float>().transpose();
-  parallelForBlocks(chosen.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      prior.d.row(Index(i)) = u.row(Index(chosen[i])).head(used).cwiseProduct(singular);
-      prior.mean[Index(i)] = basis.mean[chosen[i]];
-      prior.leftOut[Index(i)] = leftOutVariance(basis, int(used), chosen[i], chosen[i] + 1)[0];
-    }
-  });
-  return prior;
-}
-
-std::vector<glm::vec3> cellValues(const PhotographPrior& prior, const MatrixX3d& coefficients,
-                                  std::vector<glm::vec3>* slopes) {
-  const std::size_t cells = prior.mapping.cells.size();
-  std::vector<glm::vec3> values(cells);
-  if (slopes) slopes->resize(cells);
-  const Eigen::MatrixX3f c = coefficients.cast<float>();
-  parallelForBlocks(cells, 2048, [&](std::size_t begin, std::size_t end) {
-    const Eigen::MatrixX3f y = prior.d.middleRows(Index(begin), Index(end - begin)) * c;
-    for (std::size_t i = begin; i < end; ++i) {
-      const double weight = prior.mapping.weights[i], reference = prior.mapping.reference[i];
-      for (int channel = 0; channel < 3; ++channel) {
-        constexpr double highest = 30;  // e^30 is far beyond any material
-        const double mapped = std::min(highest, double(prior.mean[Index(i)]) + y(Index(i - begin), channel));
-        values[i][channel] = float(inverseLogRelative(mapped, weight, reference));
-        if (slopes) (*slopes)[i][channel] = float((reference + logRelativeOffset) * std::exp(mapped) / weight);
-      }
-    }
-  });
-  return values;
-}
-
-namespace {
 
 /// Pixel values and their derivatives at given coefficients.
 struct Linearisation {
@@ -161,126 +88,6 @@ PixelRows rowsAt(const PixelRows& rows, const std::vector<std::size_t>& chosen) 
   return result;
 }
 
-/// Logarithms of the pixel values of the training signals, for the light of each channel: [channel](row, signal).
-std::array<MatrixXd, 3> signalImages(const PhotographPrior& prior, const PixelRows& rows, const TaskControl& control) {
-  constexpr Index block = 32;
-  const Index signals = prior.v.rows();
-  std::array<MatrixXd, 3> images;
-  for (MatrixXd& image : images) image.resize(Index(rows.count()), signals);
-  for (Index first = 0; first < signals; first += block) {
-    control.throwIfStopped();
-    const Index count = std::min(block, signals - first);
-    const Eigen::MatrixXf coefficients = prior.v.middleRows(first, count).transpose().cast<float>();
-    RowMatrix values(prior.d.rows(), count);
-    parallelForBlocks(std::size_t(prior.d.rows()), 2048, [&](std::size_t begin, std::size_t end) {
-      auto part = values.middleRows(Index(begin), Index(end - begin));
-      part = prior.d.middleRows(Index(begin), Index(end - begin)) * coefficients;
-      for (std::size_t i = begin; i < end; ++i) {
-        const float weight = prior.mapping.weights[i], reference = prior.mapping.reference[i],
-                    offset = float(logRelativeOffset);
-        auto row = values.row(Index(i)).array();
-        row = (((row + prior.mean[Index(i)]).exp() * (reference + offset) - offset) / weight).max(0.0f);
-      }
-    });
-    parallelForBlocks(rows.count(), 8, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin; row < end; ++row) {
-        std::array<Eigen::RowVectorXf, 3> sums;
-        for (auto& sum : sums) sum.setZero(count);
-        for (std::size_t n = rows.first[row]; n < rows.first[row + 1]; ++n) {
-          const auto of = values.row(Index(rows.cells[n]));
-          for (int channel = 0; channel < 3; ++channel) sums[std::size_t(channel)] += rows.weights[n][channel] * of;
-        }
-        for (std::size_t channel = 0; channel < 3; ++channel)
-          images[channel].row(Index(row)).segment(first, count) = sums[channel].cast<double>().array().max(1e-12).log();
-      }
-    });
-  }
-  return images;
-}
-
-/// Distances of the training signals from the photographs, per channel, as in acquisition/local_ridge.h but of the
-/// logarithms of pixel values: signals x channels.
-MatrixX3d signalDistances(const std::array<MatrixXd, 3>& images, const MatrixX3d& values, const MatrixX3d& variances,
-                          bool exposureKnown) {
-  MatrixX3d distances = MatrixX3d::Zero(images[0].cols(), channelCount);
-  for (Index channel = 0; channel < channelCount; ++channel) {
-    const MatrixXd& image = images[std::size_t(channel)];
-    double count = 0;
-    VectorXd shift = VectorXd::Zero(image.cols());
-    std::vector<Index> used;
-    for (Index row = 0; row < image.rows(); ++row)
-      if (values(row, channel) > 0) used.push_back(row);
-    if (used.empty()) continue;
-    if (!exposureKnown) {
-      for (const Index row : used)
-        shift += (image.row(row).transpose().array() - std::log(values(row, channel))).matrix();
-      shift /= double(used.size());
-    }
-    for (const Index row : used) {
-      const VectorXd of = image.row(row).transpose() - shift;
-      const double known = variances(row, channel) / (values(row, channel) * values(row, channel));
-      const double variance = (of.array() - of.mean()).square().mean() + known;
-      if (!(variance > 0)) continue;
-      distances.col(channel) += ((of.array() - std::log(values(row, channel))).square() / variance).matrix();
-      ++count;
-    }
-    if (count > 0) distances.col(channel) /= count;
-  }
-  return distances;
-}
-
-/// All unknowns x: the coefficients of red, green and blue, then the logarithm of the exposure if it is unknown.
-/// Before the photographs are seen, x is mean + G w, with independent standard normal w.
-struct LocalPrior {
-  VectorXd mean;
-  MatrixXd factor;  ///< G
-};
-
-/// What is known of the logarithm of an unknown exposure beforehand: its standard deviation.
-constexpr double exposureSpread = 3;
-
-/// The orders in which the channels of a training material stand for red, green and blue: the colour of a material says
-/// little about its highlights, while its channels are alike.
-constexpr int channelOrders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-
-/// Mean and covariance over the training materials, in each order of their channels, weighted toward those that look
-/// like the photographs. @param distances signals x channels. @param start mean of the logarithm of the exposure.
-LocalPrior localPrior(const MatrixXd& v, const MatrixX3d& distances, double bandwidth, bool exposureKnown,
-                      double start) {
-  constexpr double leastSum = 2;  // of the weights of all training materials; the most similar one has 1
-  const Index materials = v.rows() / channelCount, components = v.cols(), count = 6 * materials;
-  const Index coefficients = channelCount * components, unknowns = coefficients + (exposureKnown ? 0 : 1);
-  MatrixXd samples(count, coefficients);
-  VectorXd of(count);
-  for (Index m = 0; m < materials; ++m)
-    for (Index order = 0; order < 6; ++order) {
-      const Index row = 6 * m + order;
-      of[row] = 0;
-      for (Index channel = 0; channel < channelCount; ++channel) {
-        const Index signal = channelCount * m + channelOrders[order][channel];
-        samples.row(row).segment(channel * components, components) = v.row(signal);
-        of[row] += distances(signal, channel) / double(channelCount);
-      }
-    }
-  VectorXd weights = VectorXd::Ones(count);
-  if (std::isfinite(bandwidth))
-    weights = (-(of.array() - of.minCoeff()) / (2 * bandwidth * bandwidth)).exp().max(leastSum / double(count));
-  weights /= weights.sum();
-  LocalPrior prior{VectorXd::Zero(unknowns), {}};
-  prior.mean.head(coefficients) = samples.transpose() * weights;
-  samples.rowwise() -= prior.mean.head(coefficients).transpose().eval();
-  const MatrixXd scaled = weights.cwiseSqrt().asDiagonal() * samples;
-  const EigenBasis basis = eigenBasis(scaled.transpose() * scaled);
-  prior.factor = MatrixXd::Zero(unknowns, unknowns);
-  prior.factor.topLeftCorner(coefficients, coefficients) =
-      basis.vectors * basis.values.cwiseMax(0).cwiseSqrt().asDiagonal();
-  if (!exposureKnown) {
-    prior.mean[coefficients] = start;
-    prior.factor(coefficients, coefficients) = exposureSpread;
-  }
-  return prior;
-}
-
 MatrixX3d coefficientsOf(const VectorXd& x, Index components) {
   return Eigen::Map<const MatrixX3d>(x.data(), components, channelCount);
 }
@@ -291,7 +98,7 @@ struct Problem {
   const PixelRows& rows;
   MatrixX3d data, noise;  ///< pixel values and the variances of their noise: rows x channels
   bool exposureKnown = true;
-  double share = 1;  ///< factor of the information of each row (FitOptions::independentRegions)
+  double share = 1;  ///< factor of the information of each row
 
   Index components() const { return prior.d.cols(); }
   double exposure(const VectorXd& x) const { return exposureKnown ? 1 : std::exp(x[x.size() - 1]); }
@@ -513,8 +320,7 @@ class InputChecks {
 
  private:
   MatrixX3d valuesWith(const PhotographSet& set, double rotation) const {
-    const PixelRows rows =
-        assembleRows(problem_.prior.mapping, set, regions_, {.rotation = rotation}, {control_.stop, {}});
+    const PixelRows rows = assembleRows(problem_.prior.mapping, set, regions_, rotation, {control_.stop, {}});
     return problem_.exposure(x_) * pixelValues(problem_.prior, rows, coefficientsOf(x_, problem_.components()));
   }
 
@@ -571,37 +377,34 @@ std::vector<std::size_t> insideOf(const PhotographSet& set, const std::vector<Re
   return chosen;
 }
 
-std::string fixedText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 /// One sentence about the check with the most evidence, if it is suspicious.
 std::string warningOf(const std::vector<InputCheck>& checks) {
   if (checks.empty()) return {};
   const InputCheck& worst = *std::ranges::max_element(checks, {}, &InputCheck::evidence);
   if (!worst.isSuspicious) return {};
   const std::string by =
-      worst.property == "exposure" ? "the exposure is " + fixedText(std::exp(worst.estimate)) + " times"
+      worst.property == "exposure" ? "the exposure is " + shortText(std::exp(worst.estimate), 3) + " times"
       : worst.property == "gamma"
-          ? "the image has a gamma (exponent) of " + fixedText(std::exp(worst.estimate)) + " instead of"
+          ? "the image has a gamma (exponent) of " + shortText(std::exp(worst.estimate), 3) + " instead of"
       : worst.property == "rotation"
-          ? "the environment is rotated by " + fixedText(degrees(worst.estimate)) + " degrees from"
-          : "the " + worst.property + " is " + fixedText(worst.estimate) + " pixels from";
+          ? "the environment is rotated by " + shortText(degrees(worst.estimate), 3) + " degrees from"
+          : "the " + worst.property + " is " + shortText(worst.estimate, 3) + " pixels from";
   return "the photographs fit better if " + by + " what is stated; check the description";
 }
 
 }  // namespace
 
-PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set, const FitOptions& options,
+PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set, std::size_t maxRegions,
                              const TaskControl& control) {
   PhotographFit result;
-  result.regions = regionsOf(set, options.regions);
-  const PixelRows rows = assembleRows(prior.mapping, set, result.regions, {}, control.between(0, 0.2));
+  result.regions = regionsOf(set, maxRegions);
+  const PixelRows rows = assembleRows(prior.mapping, set, result.regions, 0, control.between(0, 0.2));
   Problem problem{.prior = prior, .rows = rows, .data = {}, .noise = {}, .exposureKnown = set.exposureKnown};
   readRegions(result.regions, problem.data, problem.noise);
-  problem.share = std::min(1.0, options.independentRegions * double(set.photographs.size()) / double(rows.count()));
+  // Errors of the model, such as what no combination of training materials can represent, are alike in neighbouring
+  // regions: all regions of a photograph together count as so many independent ones.
+  constexpr double independentRegions = 25;
+  problem.share = std::min(1.0, independentRegions * double(set.photographs.size()) / double(rows.count()));
   constexpr std::size_t comparedRows = 200;
   const std::vector<std::size_t> some = someOf(rows.count(), comparedRows);
   const auto images = signalImages(prior, rowsAt(rows, some), control.between(0.2, 0.4));
@@ -655,15 +458,13 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   }
   for (std::size_t i = 0; i < signal.size(); ++i) result.residualSnr.push_back(10 * std::log10(signal[i] / error[i]));
   result.warnings = set.warnings;
-  if (options.checksInput) {
-    result.checks = InputChecks(problem, set, result.regions, insideOf(set, result.regions, comparedRows), state, last,
-                                control.between(0.85, 1))
-                        .all();
-    if (std::string warning = warningOf(result.checks); !warning.empty()) result.warnings.push_back(std::move(warning));
-  }
+  result.checks = InputChecks(problem, set, result.regions, insideOf(set, result.regions, comparedRows), state, last,
+                              control.between(0.85, 1))
+                      .all();
+  if (std::string warning = warningOf(result.checks); !warning.empty()) result.warnings.push_back(std::move(warning));
   constexpr double muchLight = 0.02;
   if (result.lost > muchLight)
-    result.warnings.push_back(fixedText(100 * result.lost) +
+    result.warnings.push_back(shortText(100 * result.lost, 3) +
                               " % of the light comes from directions without training data, at grazing angles");
   return result;
 }

@@ -7,42 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/photograph/pixel_rows.h"
+#include "core/photograph/photograph_prior.h"
 
 namespace gonio::photograph {
 
-using RowMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// What photographs are reconstructed from: principal components at the nodes of a grid on which pixels are integrated.
-struct PhotographPrior {
-  dictionary::MappedCells mapping;
-  Eigen::VectorXf mean;     ///< of the mapped values, one per cell
-  Eigen::VectorXf leftOut;  ///< variance of a mapped value in components that are not used, one per cell
-  RowMatrix d;              ///< U Sigma: cells x components
-  Eigen::VectorXd singularValues;
-  Eigen::MatrixXd v;  ///< coefficients of the training signals: signals x components
-};
-
-/// Number of components in use by default.
-inline constexpr int defaultPhotographComponents = 64;
-
-/// The first `components` of a basis, at every node in theta_h and about 30 x 36 nodes in theta_d and phi_d. A pixel
-/// integrates over much larger angles. @throws Error if the basis is not that of a reciprocal grid.
-PhotographPrior photographPrior(const dictionary::PrincipalComponents& basis,
-                                int components = defaultPhotographComponents);
-
-/// BRDF values of the prior's cells for coefficients (components x 3 channels), and, if `slopes` is given, their
-/// derivatives by the mapped value.
-std::vector<glm::vec3> cellValues(const PhotographPrior& prior, const Eigen::MatrixX3d& coefficients,
-                                  std::vector<glm::vec3>* slopes = nullptr);
-
-struct FitOptions {
-  std::size_t regions = 600;  ///< number of regions of all photographs together
-  /// Errors of the model, such as what no combination of training materials can represent, are alike in neighbouring
-  /// regions. All regions of a photograph together count as this many independent ones.
-  double independentRegions = 25;
-  bool checksInput = true;  ///< whether to look for errors of the input (PhotographFit::checks)
-};
+/// Number of regions of all photographs together, by default.
+inline constexpr std::size_t defaultRegions = 600;
 
 /// How much better the photographs are explained if one property of the input differs from what was stated.
 struct InputCheck {
@@ -75,8 +45,8 @@ struct PhotographFit {
 /// acquisition::localRidge()), and Gauss-Newton iterations for the mapped values, of which a pixel is not a linear
 /// function. BRDF values are never negative. About 10 s for 256 x 256 pixels under an environment on two cores.
 /// @throws Error as regionsOf() and assembleRows(); Cancelled.
-PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set, const FitOptions& options = {},
-                             const TaskControl& control = {});
+PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set,
+                             std::size_t maxRegions = defaultRegions, const TaskControl& control = {});
 
 /// Standard deviations of the mapped values of all cells of a basis, per channel (acquisition::Reconstruction::
 /// standardDeviation). O(cells components^2).

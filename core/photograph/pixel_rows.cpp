@@ -109,13 +109,6 @@ bool readPixels(const Photograph& photograph, const Square& square, Region& regi
 
 }  // namespace
 
-std::vector<Region> emptyRegions(const Photograph& photograph, std::size_t index, std::size_t most) {
-  std::vector<Region> regions;
-  for (const Square& square : squaresOf(photograph.disc, sideFor(photograph.disc, most)))
-    regions.push_back(emptyRegion(square, photograph.disc, index));
-  return regions;
-}
-
 std::vector<Region> regionsOf(const PhotographSet& set, std::size_t most) {
   std::vector<Region> regions;
   const std::size_t each = std::max<std::size_t>(1, most / std::max<std::size_t>(1, set.photographs.size()));
@@ -283,8 +276,8 @@ class SphereView {
 /// The row of one region: weights of all cells in a dense array, and the cells in use.
 class RowBuilder {
  public:
-  RowBuilder(const dictionary::MappedCells& mapping, const std::vector<std::int32_t>& places, double coarseness)
-      : grid_(mapping.grid), places_(places), coarseness_(coarseness), dense_(mapping.cells.size(), glm::vec3(0)) {}
+  RowBuilder(const dictionary::MappedCells& mapping, const std::vector<std::int32_t>& places)
+      : grid_(mapping.grid), places_(places), dense_(mapping.cells.size(), glm::vec3(0)) {}
 
   /// Adds the light from a direction at a point. @param irradiance perpendicular to the direction.
   void add(const SeenPoint& point, const Direction& toLight, const Rgb& irradiance) {
@@ -297,6 +290,9 @@ class RowBuilder {
 
   void add(const SeenPoint& point, const BlockPyramid& environment, double share) {
     constexpr double largest = radians(8);
+    // Largest angle that a part of the environment covers, relative to the spacing in theta_h of the cells into which
+    // it falls.
+    constexpr double coarseness = 4;
     const double last = grid_.thetaHCount;
     environment.visit([&](const Rgb& irradiance, const Direction& direction, double extent) {
       const double cosine = glm::dot(direction, point.normal);
@@ -309,7 +305,7 @@ class RowBuilder {
         const double thetaH = std::max(0.0, std::acos(cosH) - 0.25 * extent / cosD);
         const double node = last * std::sqrt(thetaH / halfPi);
         const double spacing = halfPi * (2 * node + 1) / (last * last);
-        if (extent > std::min(largest, coarseness_ * 2 * spacing * cosD)) return false;
+        if (extent > std::min(largest, coarseness * 2 * spacing * cosD)) return false;
         // At the horizon the cosine bends.
         if (std::abs(cosine) < extent && extent > 0.4 * largest) return false;
       }
@@ -365,7 +361,6 @@ class RowBuilder {
 
   const HalfDifferenceGrid& grid_;
   const std::vector<std::int32_t>& places_;
-  double coarseness_;
   std::vector<glm::vec3> dense_;
   std::vector<std::uint32_t> used_;
   std::array<DirectionPair, HalfDifferenceBlock::capacity> pairs_;
@@ -384,7 +379,7 @@ struct RowPart {
 }  // namespace
 
 PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographSet& set,
-                       const std::vector<Region>& regions, const AssemblyOptions& options, const TaskControl& control) {
+                       const std::vector<Region>& regions, double addedRotation, const TaskControl& control) {
   if (!mapping.grid.reciprocal) throw Error("photographs need principal components of reciprocal materials");
   std::vector<std::int32_t> places(mapping.grid.size(), -1);
   for (std::size_t i = 0; i < mapping.cells.size(); ++i) places[mapping.cells[i]] = std::int32_t(i);
@@ -396,7 +391,7 @@ PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographS
     pyramidOf.push_back(nullptr);
     const rendering::EnvironmentMap* environment = photograph.light.environment.get();
     if (!environment) continue;
-    const double rotation = photograph.light.rotation + options.rotation;
+    const double rotation = photograph.light.rotation + addedRotation;
     const auto found =
         pyramids.try_emplace({environment, rotation}, *environment, rendering::EnvironmentRotation(rotation));
     pyramidOf.back() = &found.first->second;
@@ -406,7 +401,7 @@ PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographS
   parallelForBlocks(
       regions.size(), rowsPerPart,
       [&](std::size_t begin, std::size_t end) {
-        RowBuilder builder(mapping, places, options.coarseness);
+        RowBuilder builder(mapping, places);
         RowPart& part = parts[begin / rowsPerPart];
         for (std::size_t row = begin; row < end; ++row) {
           control.throwIfStopped();

@@ -31,9 +31,6 @@ struct Region {
 /// all are 0.
 std::vector<Region> regionsOf(const PhotographSet& set, std::size_t most);
 
-/// Regions of images that are still to be photographed: pixel values and variances are 0.
-std::vector<Region> emptyRegions(const Photograph& photograph, std::size_t index, std::size_t most);
-
 /// Pixel values as linear functionals of a BRDF table: the value of row r in channel c is the sum of weights[n][c]
 /// times the table's value in cell cells[n], over n from first[r] to first[r + 1].
 struct PixelRows {
@@ -48,21 +45,12 @@ struct PixelRows {
   std::vector<Rgb> values(const std::vector<glm::vec3>& values) const;
 };
 
-/// How finely the environment is divided.
-struct AssemblyOptions {
-  /// Largest angle that a part of the environment covers, relative to the spacing in theta_h of the cells into which it
-  /// falls; at most 8 degrees.
-  double coarseness = 4;
-  double rotation = 0;  ///< rad, added to the rotation of every environment
-};
-
 /// Integrates the light of each region over the cells: an environment as a sum over its texels, which are merged to
 /// blocks where the half-difference coordinates change little from texel to texel; distant and small lights exactly.
 /// Cells are interpolated trilinearly, as by TabulatedBrdf. Light and viewer may be exchanged, as the grid is that of
-/// reciprocal materials. A sphere is convex: no shadows, no interreflection. Parallel, deterministic. @throws
-/// Cancelled; Error if the grid is not reciprocal.
+/// reciprocal materials. A sphere is convex: no shadows, no interreflection. @param rotation rad, added to that of
+/// every environment. Parallel, deterministic. @throws Cancelled; Error if the grid is not reciprocal.
 PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographSet& set,
-                       const std::vector<Region>& regions, const AssemblyOptions& options = {},
-                       const TaskControl& control = {});
+                       const std::vector<Region>& regions, double rotation = 0, const TaskControl& control = {});
 
 }  // namespace gonio::photograph

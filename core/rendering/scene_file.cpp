@@ -23,17 +23,9 @@ constexpr double smallest = 1e-6;  ///< radius, half side, scale
 constexpr std::uint64_t maxSceneBytes = std::uint64_t(1) << 24;
 constexpr int maxObjects = 256;
 
-Direction triple(const JsonObject& object, std::string_view key, double min = -largest) {
-  const std::string expected = std::string("three numbers from ") + (min < 0 ? "-1e6" : "0") + " to 1e6, as [1, 2, 3]";
-  const nlohmann::json& found = object.member(key, expected);
-  if (!found.is_array() || found.size() != 3) object.fail(key, expected);
-  Direction result;
-  for (int i = 0; i < 3; ++i) {
-    if (!found[std::size_t(i)].is_number()) object.fail(key, expected);
-    result[i] = found[std::size_t(i)].get<double>();
-    if (!(result[i] >= min && result[i] <= largest)) object.fail(key, expected);
-  }
-  return result;
+Direction triple(const JsonObject& object, std::string_view key, bool mayBeNegative = true) {
+  const auto [x, y, z] = object.triple(key, mayBeNegative);
+  return {x, y, z};
 }
 
 Direction tripleOr(const JsonObject& object, std::string_view key, const Direction& otherwise) {
@@ -197,7 +189,7 @@ void SceneReader::readObject(const JsonObject& object) {
   if (object.contains("radiance")) {
     if (!std::holds_alternative<Rectangle>(result.shape))
       object.fail("radiance", "no radiance (only rectangles emit light)");
-    result.radiance = triple(object, "radiance", 0);
+    result.radiance = triple(object, "radiance", false);
   }
   const char* expected = "a material number from 0, \"each\", or {\"diffuse\": [r, g, b]}";
   const nlohmann::json material =
@@ -205,7 +197,7 @@ void SceneReader::readObject(const JsonObject& object) {
   if (material.is_object()) {
     const JsonObject diffuse(material, object.place("material"));
     diffuse.expectOnly({"diffuse"});
-    result.material = Diffuse{triple(diffuse, "diffuse", 0)};
+    result.material = Diffuse{triple(diffuse, "diffuse", false)};
     if (maxChannel(std::get<Diffuse>(result.material).reflectance) > 1)
       diffuse.fail("diffuse", "a reflectance of at most 1");
   } else if (material.is_number_unsigned()) {
@@ -231,12 +223,12 @@ void SceneReader::readLight(const JsonObject& light) {
   const std::string kind = light.text("kind");
   if (kind == "point") {
     light.expectOnly({"kind", "position", "intensity"});
-    scene_.pointLights.push_back({triple(light, "position"), triple(light, "intensity", 0)});
+    scene_.pointLights.push_back({triple(light, "position"), triple(light, "intensity", false)});
   } else if (kind == "directional") {
     light.expectOnly({"kind", "toLight", "irradiance"});
     const Direction way = triple(light, "toLight");
     if (!(glm::length(way) >= smallest)) light.fail("toLight", "a direction, at least 1e-6 long");
-    scene_.directionalLights.push_back({glm::normalize(way), triple(light, "irradiance", 0)});
+    scene_.directionalLights.push_back({glm::normalize(way), triple(light, "irradiance", false)});
   } else {
     light.fail("kind", "\"directional\" or \"point\"");
   }

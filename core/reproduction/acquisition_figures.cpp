@@ -17,6 +17,7 @@
 #include "core/reproduction/mapped_errors.h"
 #include "core/reproduction/picture_rows.h"
 #include "core/study/study_record.h"
+#include "core/support/text.h"
 
 namespace gonio::reproduction {
 

@@ -289,12 +289,4 @@ Raster errorPicture(const Image& reference, const Image& picture, double range) 
   return map;
 }
 
-std::string shortText(double value, int digits) {
-  if (std::isnan(value)) return "undefined";
-  if (std::isinf(value)) return "infinite";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
-
 }  // namespace gonio::reproduction

@@ -62,7 +62,4 @@ figures::Raster shownPicture(const Image& picture);
 /// The absolute luminance difference of pictures in false colours on a scale from 0 to `range`.
 figures::Raster errorPicture(const Image& reference, const Image& picture, double range);
 
-/// A number with `digits` significant digits for people; "undefined" for NaN.
-std::string shortText(double value, int digits = 4);
-
 }  // namespace gonio::reproduction

@@ -13,6 +13,7 @@
 #include "core/reproduction/picture_rows.h"
 #include "core/sampling/fitted_densities.h"
 #include "core/study/representation_builder.h"
+#include "core/support/text.h"
 
 namespace gonio::reproduction {
 

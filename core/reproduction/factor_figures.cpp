@@ -19,6 +19,7 @@
 #include "core/reproduction/figure_record.h"
 #include "core/sampling/fitted_densities.h"
 #include "core/study/representation_builder.h"
+#include "core/support/text.h"
 
 namespace gonio::reproduction {
 

@@ -7,6 +7,7 @@
 
 #include "core/acquisition/factor_prediction.h"
 #include "core/reproduction/picture_rows.h"
+#include "core/support/text.h"
 
 namespace gonio::reproduction {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/rendering/error_maps.h"
+#include "core/support/text.h"
 
 namespace gonio::reproduction {
 

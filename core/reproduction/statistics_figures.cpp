@@ -16,6 +16,7 @@
 #include "core/reproduction/charts.h"
 #include "core/reproduction/figure_record.h"
 #include "core/study/study_record.h"
+#include "core/support/text.h"
 
 namespace gonio::reproduction {
 

@@ -76,6 +76,20 @@ double JsonObject::number(std::string_view key, double min, double max) const {
   return value;
 }
 
+std::array<double, 3> JsonObject::triple(std::string_view key, bool mayBeNegative) const {
+  const std::string expected =
+      std::string("three numbers from ") + (mayBeNegative ? "-1e6" : "0") + " to 1e6, as [1, 2, 3]";
+  const nlohmann::json& found = member(key, expected);
+  if (!found.is_array() || found.size() != 3) fail(key, expected);
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!found[i].is_number()) fail(key, expected);
+    result[i] = found[i].get<double>();
+    if (!(result[i] >= (mayBeNegative ? -maxOfTriple : 0) && result[i] <= maxOfTriple)) fail(key, expected);
+  }
+  return result;
+}
+
 JsonObject JsonObject::object(std::string_view key) const { return {member(key, "an object"), place(key)}; }
 
 const nlohmann::json& JsonObject::array(std::string_view key) const {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -35,6 +36,9 @@ class JsonObject {
   bool flag(std::string_view key) const;
   /// A finite number in a closed range.
   double number(std::string_view key, double min, double max) const;
+  /// Three numbers, such as a position or a colour, of at most maxOfTriple in size.
+  std::array<double, 3> triple(std::string_view key, bool mayBeNegative = true) const;
+  static constexpr double maxOfTriple = 1e6;
   JsonObject object(std::string_view key) const;
   const nlohmann::json& array(std::string_view key) const;
 

@@ -7,12 +7,14 @@
 #include <ctime>
 #include <filesystem>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <system_error>
+#include <thread>
 
 /// What Gonio asks of the operating system and the standard library of C++ does not have: files by offset, the priority
-/// of a thread, terminals, the processor, folders of the user. system.cpp and stop_on_signal.cpp alone know POSIX (the
-/// test `layers` checks it), so a port to another system writes these two anew.
+/// of a thread, terminals, the processor, folders of the user, signals. system.cpp alone knows POSIX (the test `layers`
+/// checks it), so a port to another system writes this file anew.
 namespace gonio::system {
 
 /// An open file, closed with the object. Functions return the system's error, or one that is false.
@@ -78,5 +80,28 @@ bool standardErrorIsTerminal();
 /// The folder for data of this user's programs that can be made again ($XDG_CACHE_HOME, else ~/.cache); empty if there
 /// is none.
 std::filesystem::path cacheFolder();
+
+/// While it exists, the first SIGINT, SIGTERM or SIGHUP asks the work to stop, so that no temporary file remains.
+/// Another one ends the program at once; within half a second it counts as the same request. Signals that the parent
+/// process ignores (`nohup`) stay ignored. Only one instance may exist in a process.
+class StopOnSignal {
+ public:
+  StopOnSignal();
+  ~StopOnSignal();
+  StopOnSignal(const StopOnSignal&) = delete;
+  StopOnSignal& operator=(const StopOnSignal&) = delete;
+
+  std::stop_token token() const { return stop_.get_token(); }
+
+ private:
+  void watch(const std::stop_token& end);
+
+  std::stop_source stop_;
+  std::jthread watcher_;
+};
+
+/// Ends the process by the signal that requested the stop, as its parent expects of an interrupted program (a shell
+/// then ends its loop, too). Without a signal it returns. No StopOnSignal may exist.
+void endByReceivedSignal();
 
 }  // namespace gonio::system

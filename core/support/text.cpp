@@ -2,7 +2,18 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/support/text.h"
 
+#include <cmath>
+#include <cstdio>
+
 namespace gonio {
+
+std::string shortText(double value, int digits) {
+  if (std::isnan(value)) return "undefined";
+  if (std::isinf(value)) return "infinite";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
 
 Utf8Character firstCharacter(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };

@@ -24,6 +24,9 @@ std::string numberText(Number value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
+/// A number with `digits` significant digits for people; "undefined" for NaN, "infinite" for infinities.
+std::string shortText(double value, int digits = 4);
+
 // Text of unknown origin, such as the names in files and documents, as text of a file that Gonio writes.
 
 /// Stands for a byte that is not UTF-8.

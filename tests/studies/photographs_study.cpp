@@ -318,7 +318,7 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
       const PhotographSet set = four ? fourPhotographs(shared, *truth) : one;
       const auto start = std::chrono::steady_clock::now();
       const std::clock_t startCpu = std::clock();
-      const auto fit = photograph::fitPhotographs(prior, set, {.regions = four ? std::size_t(1200) : std::size_t(600)});
+      const auto fit = photograph::fitPhotographs(prior, set, four ? 1200 : 600);
       const double cpu = double(std::clock() - startCpu) / CLOCKS_PER_SEC;
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       const auto found = dictionary::decode(basis, fit.code);
@@ -391,7 +391,7 @@ int wrongInput(const std::filesystem::path& shared, const std::vector<std::strin
     for (const Fault& fault : faults) {
       PhotographSet set = mitsubaPhotograph(shared, material);
       fault.apply(set);
-      const auto fit = photograph::fitPhotographs(prior, set, {.regions = 300});
+      const auto fit = photograph::fitPhotographs(prior, set, 300);
       const auto& check = *std::ranges::max_element(fit.checks, {}, &photograph::InputCheck::evidence);
       std::printf("| %s | %s | %.1f | %.3g | %.3g | %s | %.3g | %.1f | %s |\n", material.c_str(), fault.name,
                   fit.residualSnr[0], set.photographs[0].clip, fit.exposure, check.property.c_str(), check.estimate,

@@ -61,7 +61,7 @@ double snrUnderOtherLight(const Brdf& reference, const Brdf& found) {
                                      rendering::renderPicture(found, scene, options));
 }
 
-constexpr FitOptions quick{.regions = 250};
+constexpr std::size_t quick = 250;  // regions
 
 class PhotographFitTest : public QObject {
   Q_OBJECT

@@ -34,6 +34,13 @@ Photograph view(const Light& light, int side = 32) {
   return photograph;
 }
 
+/// The regions of a photograph of which all pixels are 1.
+std::vector<Region> greyRegions(Photograph photograph, std::size_t most, int side = 32) {
+  photograph.image = Image(side, side);
+  for (glm::vec3& pixel : photograph.image.pixels) pixel = glm::vec3(1);
+  return regionsOf({.photographs = {photograph}, .warnings = {}}, most);
+}
+
 /// The point of the unit sphere that a scene's camera sees at a place of a square image, as the renderer finds it.
 struct Seen {
   Direction normal, toViewer;
@@ -64,7 +71,7 @@ class PixelRowsTest : public QObject {
     const dictionary::MappedCells mapping = allCells({30, 15, 18, true});
     const Photograph photograph = view({.environment = rendering::furnaceEnvironment()});
     const PhotographSet set{.photographs = {photograph}, .warnings = {}};
-    const auto regions = emptyRegions(photograph, 0, 60);
+    const auto regions = greyRegions(photograph, 60);
     const PixelRows rows = assembleRows(mapping, set, regions);
     const auto values = rows.values(std::vector<glm::vec3>(mapping.cells.size(), glm::vec3(0.2, 0.5, 0.8) / float(pi)));
     QCOMPARE(values.size(), regions.size());
@@ -82,7 +89,7 @@ class PixelRowsTest : public QObject {
     const dictionary::MappedCells mapping = allCells(grid);
     const rendering::DirectionalLight light{glm::normalize(Direction(0.5, 0.4, 0.6)), Rgb(1, 2, 3)};
     const Photograph photograph = view({.environment = nullptr, .directional = {light}, .points = {}});
-    const auto regions = emptyRegions(photograph, 0, 1000);
+    const auto regions = greyRegions(photograph, 1000);
     for (const Region& region : regions) QCOMPARE(region.points.size(), std::size_t(1));
     const auto values =
         assembleRows(mapping, {.photographs = {photograph}, .warnings = {}}, regions).values(valuesOf(mapping, *table));
@@ -106,7 +113,7 @@ class PixelRowsTest : public QObject {
     const auto environment = rendering::studioEnvironment();
     const double rotation = 0.7;
     const Photograph photograph = view({.environment = environment, .rotation = rotation});
-    auto regions = emptyRegions(photograph, 0, 12);
+    auto regions = greyRegions(photograph, 12);
     for (Region& region : regions) region.points = {{region.centre, 1}};
     const auto values =
         assembleRows(mapping, {.photographs = {photograph}, .warnings = {}}, regions).values(valuesOf(mapping, *table));
@@ -146,7 +153,7 @@ class PixelRowsTest : public QObject {
     const Direction toLight = glm::normalize(Direction(1, 1, 3));
     const auto valuesUnder = [&](const Light& light) {
       const Photograph photograph = view(light);
-      const auto regions = emptyRegions(photograph, 0, 60);
+      const auto regions = greyRegions(photograph, 60);
       return assembleRows(mapping, {.photographs = {photograph}, .warnings = {}}, regions).values(grey);
     };
     const auto small = valuesUnder({.environment = nullptr, .directional = {}, .points = {{1e4 * toLight, Rgb(3e8)}}});
