@@ -209,16 +209,18 @@ ImageFile decodeHdr(std::span<const std::byte> bytes) {
   for (int i = 0; i < 3; ++i) matrix[i] /= factor[i];
 
   ImageFile picture{.image = Image(width, height), .notes = std::move(header.notes), .layout = {}};
+  std::array<double, 256> scales{};  // of each exponent; 0 stands for black
+  for (int exponent = 1; exponent < 256; ++exponent)
+    scales[std::size_t(exponent)] = std::ldexp(1.0, exponent - (128 + 8));
   HdrLines lines(bytes, header.end);
   std::vector<Rgbe> line(std::size_t(columns.length));
   for (int row = 0; row < rows.length; ++row) {
     lines.read(line);
     for (int column = 0; column < columns.length; ++column) {
       const Rgbe& pixel = line[std::size_t(column)];
-      const double scale = pixel[3] == 0 ? 0 : std::ldexp(1.0, int(pixel[3]) - (128 + 8));
       const int across = columns.at(column), down = rows.at(row);
       picture.image.at(rows.isX ? down : across, rows.isX ? across : down) =
-          matrix * (scale * glm::dvec3(pixel[0], pixel[1], pixel[2]));
+          matrix * (scales[pixel[3]] * glm::dvec3(pixel[0], pixel[1], pixel[2]));
     }
   }
   return picture;

@@ -49,20 +49,17 @@ void requireUsableImage(const Image& image, const std::string& name) {
 /// Mean luminance of the bilinear interpolant over each pixel, along one axis: neighbours reach an eighth into a pixel.
 double filtered(double before, double centre, double after) { return 0.125 * before + 0.75 * centre + 0.125 * after; }
 
-std::vector<double> meanLuminance(const Image& image) {
-  const int width = image.width, height = image.height;
-  std::vector<double> rows(image.pixels.size()), result(image.pixels.size());
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const auto at = [&](int column) { return luminance(Rgb(image.at((column + width) % width, y))); };
-      rows[image.index(x, y)] = filtered(at(x - 1), at(x), at(x + 1));
-    }
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const auto at = [&](int row) { return rows[image.index(x, std::clamp(row, 0, height - 1))]; };
-      result[image.index(x, y)] = filtered(at(y - 1), at(y), at(y + 1));
-    }
-  return result;
+/// filtered() of the luminance along a row of pixels.
+void filterRow(const Image& image, int y, std::vector<double>& result) {
+  const int width = image.width;
+  const auto at = [&](int x) { return luminance(Rgb(image.at(x, y))); };
+  double before = at(width - 1), centre = at(0);
+  for (int x = 0; x < width; ++x) {
+    const double after = at(x + 1 < width ? x + 1 : 0);
+    result[std::size_t(x)] = filtered(before, centre, after);
+    before = centre;
+    centre = after;
+  }
 }
 
 /// Running sums from 0 to exactly 1; weights that are all 0 count as equal. Returns the sum.
@@ -128,32 +125,50 @@ EnvironmentMap::EnvironmentMap(Image radiance, std::string name, std::vector<std
   buildTables();
 }
 
+/// A row of blocks: the integrals of the mean luminance of the bilinear radiance over the solid angles of the blocks,
+/// up to a factor that all rows share.
+std::vector<double> EnvironmentMap::blockWeights(std::size_t row) const {
+  const auto columns = std::size_t(image_.width);
+  std::vector<double> weights(blockColumns_), before(columns), centre(columns), after(columns);
+  const int first = int(row) * blockSide_, end = std::min(first + blockSide_, image_.height);
+  filterRow(image_, std::max(first - 1, 0), before);
+  filterRow(image_, first, centre);
+  for (int y = first; y < end; ++y) {
+    filterRow(image_, std::min(y + 1, image_.height - 1), after);
+    const double height = std::cos(pi * y / image_.height) - std::cos(pi * (y + 1) / image_.height);
+    for (std::size_t x = 0; x < columns; ++x)
+      weights[x / std::size_t(blockSide_)] += height * filtered(before[x], centre[x], after[x]);
+    before.swap(centre);
+    centre.swap(after);
+  }
+  return weights;
+}
+
 void EnvironmentMap::buildTables() {
-  const auto width = std::size_t(image_.width), height = std::size_t(image_.height);
-  for (std::size_t y = 0; y <= height; ++y) cosEdges_.push_back(std::cos(pi * double(y) / double(height)));
-  const std::vector<double> weights = meanLuminance(image_);
+  const auto blocks = [&](int pixels) { return std::size_t(pixels + blockSide_ - 1) / std::size_t(blockSide_); };
+  while (image_.width > maxTableWidth * blockSide_) blockSide_ *= 2;
+  blockColumns_ = blocks(image_.width);
+  const std::size_t width = blockColumns_, height = blocks(image_.height), rowGuide = guideCells(width) + 1;
+  const auto edge = [&](std::size_t block, int pixels) { return std::min(int(block) * blockSide_, pixels); };
+  for (std::size_t y = 0; y <= height; ++y)
+    cosEdges_.push_back(std::cos(pi * edge(y, image_.height) / double(image_.height)));
   conditional_.resize(height * (width + 1));
-  marginal_.resize(height + 1);
-  std::vector<double> rowWeights(height);
-  bool black = true;
-  for (std::size_t y = 0; y < height; ++y) {
-    const double sum = accumulate(std::span(weights).subspan(y * width, width),
-                                  std::span(conditional_).subspan(y * (width + 1), width + 1));
-    rowWeights[y] = sum * (cosEdges_[y] - cosEdges_[y + 1]);
-    black = black && !(sum > 0);
-  }
-  if (black)
-    for (std::size_t y = 0; y < height; ++y) rowWeights[y] = cosEdges_[y] - cosEdges_[y + 1];
-  accumulate(rowWeights, marginal_);
-  const std::size_t rowGuide = guideCells(width) + 1;
-  marginalGuide_.resize(guideCells(height) + 1);
   conditionalGuide_.resize(height * rowGuide);
+  std::vector<double> rowWeights(height);
+  constexpr std::size_t rowsAtOnce = 16;
+  parallelForBlocks(height, rowsAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y) {
+      const std::span<float> cumulative = std::span(conditional_).subspan(y * (width + 1), width + 1);
+      rowWeights[y] = accumulate(blockWeights(y), cumulative);
+      buildGuide(cumulative, std::span(conditionalGuide_).subspan(y * rowGuide, rowGuide));
+    }
+  });
+  if (std::ranges::all_of(rowWeights, [](double weight) { return !(weight > 0); }))
+    for (std::size_t y = 0; y < height; ++y) rowWeights[y] = cosEdges_[y] - cosEdges_[y + 1];
+  marginal_.resize(height + 1);
+  accumulate(rowWeights, marginal_);
+  marginalGuide_.resize(guideCells(height) + 1);
   buildGuide(marginal_, marginalGuide_);
-  for (std::size_t y = 0; y < height; ++y) {
-    buildGuide(std::span(conditional_).subspan(y * (width + 1), width + 1),
-               std::span(conditionalGuide_).subspan(y * rowGuide, rowGuide));
-    solidAngles_.push_back(2 * pi / image_.width * (cosEdges_[y] - cosEdges_[y + 1]));
-  }
 }
 
 Direction EnvironmentMap::directionAt(double u, double v) {
@@ -178,11 +193,15 @@ Rgb EnvironmentMap::bilinear(const glm::dvec2& position) const {
          t * ((1 - s) * pixel(left, bottom) + s * pixel(right, bottom));
 }
 
-double EnvironmentMap::pixelPdf(std::size_t x, std::size_t y) const {
-  const auto width = std::size_t(image_.width);
-  const float* row = conditional_.data() + y * (width + 1);
+double EnvironmentMap::blockPdf(std::size_t x, std::size_t y) const {
+  const float* row = conditional_.data() + y * (blockColumns_ + 1);
   const double probability = (double(marginal_[y + 1]) - double(marginal_[y])) * (double(row[x + 1]) - double(row[x]));
-  return probability / solidAngles_[y];
+  return probability / (2 * pi * columnsOf(x).fraction * (cosEdges_[y] - cosEdges_[y + 1]));
+}
+
+EnvironmentMap::BlockColumns EnvironmentMap::columnsOf(std::size_t block) const {
+  const int first = int(block) * blockSide_, count = std::min(blockSide_, image_.width - first);
+  return {first, count, double(count) / image_.width};
 }
 
 Rgb EnvironmentMap::radiance(const Direction& world) const { return bilinear(positionOf(world)); }
@@ -191,24 +210,26 @@ double EnvironmentMap::pdf(const Direction& world) const { return at(world).pdf;
 
 EnvironmentMap::Sample EnvironmentMap::at(const Direction& world) const {
   const glm::dvec2 position = positionOf(world);
-  return {world, bilinear(position), pixelPdf(pixelOf(position.x, image_.width), pixelOf(position.y, image_.height))};
+  const auto side = std::size_t(blockSide_);
+  return {world, bilinear(position),
+          blockPdf(pixelOf(position.x, image_.width) / side, pixelOf(position.y, image_.height) / side)};
 }
 
 EnvironmentMap::PixelDirection EnvironmentMap::sampleDirection(double u1, double u2) const {
-  const auto width = std::size_t(image_.width);
-  const std::size_t rowGuide = guideCells(width) + 1;
+  const std::size_t width = blockColumns_, rowGuide = guideCells(width) + 1;
   const Interval row = find(marginal_, marginalGuide_, u1);
   const Interval column = find(std::span(conditional_).subspan(row.index * (width + 1), width + 1),
                                std::span(conditionalGuide_).subspan(row.index * rowGuide, rowGuide), u2);
   const double cosTheta = glm::mix(cosEdges_[row.index], cosEdges_[row.index + 1], row.fraction(u1));
-  const double u = (double(column.index) + column.fraction(u2)) / image_.width;
+  const BlockColumns columns = columnsOf(column.index);
+  const double u = (columns.first + column.fraction(u2) * columns.count) / image_.width;
   const double a = 2 * pi * (u - 0.5), sinTheta = std::sqrt(std::max(0.0, (1 - cosTheta) * (1 + cosTheta)));
   return {column.index, row.index, u, cosTheta, sinTheta, {sinTheta * std::sin(a), cosTheta, -sinTheta * std::cos(a)}};
 }
 
 EnvironmentMap::Sample EnvironmentMap::at(const PixelDirection& place) const {
   const double v = fastAtan2(place.sinTheta, place.cosTheta) / pi;
-  return {place.direction, bilinear({place.u, v}), pixelPdf(place.x, place.y)};
+  return {place.direction, bilinear({place.u, v}), blockPdf(place.x, place.y)};
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample(double u1, double u2) const { return at(sampleDirection(u1, u2)); }

@@ -37,8 +37,9 @@ class EnvironmentMap {
     Rgb radiance;
     double pdf;  ///< 1/sr
   };
-  /// Samples a direction. The density is constant over each pixel's solid angle and proportional to the mean luminance
-  /// of the bilinear radiance in it (1 / (4 pi) for a black map). @param u1, u2 in [0, 1), for row and column.
+  /// Samples a direction. The density is constant over each pixel's solid angle (of maps above 8192 pixels wide, that
+  /// of 2 x 2 pixels, above 16384 of 4 x 4, and so on) and proportional to the mean luminance of the bilinear radiance
+  /// in it (1 / (4 pi) for a black map). @param u1, u2 in [0, 1), for row and column.
   Sample sample(double u1, double u2) const;
   /// The same, with density and radiance 0 if the direction is below the horizon of a normal (world).
   Sample sampleAbove(const Direction& normal, double u1, double u2) const;
@@ -53,7 +54,16 @@ class EnvironmentMap {
   static glm::dvec2 positionOf(const Direction& world);
 
  private:
-  /// A pixel, and a direction through it.
+  /// The largest width of the sampling tables: of wider maps they would take as much memory as the map.
+  static constexpr int maxTableWidth = 8192;
+
+  /// The pixels of a block along a row.
+  struct BlockColumns {
+    int first, count;
+    double fraction;  ///< of the row's width
+  };
+  BlockColumns columnsOf(std::size_t block) const;
+  /// A block of pixels, and a direction through it.
   struct PixelDirection {
     std::size_t x, y;
     double u, cosTheta, sinTheta;
@@ -62,17 +72,19 @@ class EnvironmentMap {
   PixelDirection sampleDirection(double u1, double u2) const;
   Sample at(const PixelDirection& place) const;
   Rgb bilinear(const glm::dvec2& position) const;
-  double pixelPdf(std::size_t x, std::size_t y) const;
+  double blockPdf(std::size_t x, std::size_t y) const;
+  std::vector<double> blockWeights(std::size_t row) const;
   void buildTables();
 
   Image image_;
   std::string name_;
   std::vector<std::string> notes_;
-  std::vector<double> cosEdges_;  ///< cos theta of the rows' upper edges, and of the last one's lower edge
-  /// Cumulative distributions from 0 to 1: height + 1 entries, and height rows of width + 1 entries.
+  int blockSide_ = 1;             ///< pixels; a power of two
+  std::size_t blockColumns_ = 0;  ///< blocks of a row
+  std::vector<double> cosEdges_;  ///< cos theta of the upper edges of rows of blocks, and of the last one's lower edge
+  /// Cumulative distributions from 0 to 1: one of the rows of blocks, and for each of them that of its blocks.
   std::vector<float> marginal_, conditional_;
   std::vector<std::uint32_t> marginalGuide_, conditionalGuide_;  ///< start indices of searches in the tables
-  std::vector<double> solidAngles_;                              ///< of a pixel in each row, sr
 };
 
 /// Rotation of an environment about the vertical axis, clockwise seen from above (opposite to OrbitCamera::yaw):

@@ -190,6 +190,59 @@ class EnvironmentTest : public QObject {
     }
   }
 
+  /// Maps above 8192 pixels wide are sampled by blocks of 2 x 2 pixels, the last ones cut off by the edges: the means
+  /// of the density that each pixel would have alone.
+  void wideMapsAreSampledByBlocks() {
+    constexpr int width = 8195, height = 5, side = 2;
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) image.at(x, y) = glm::vec3(float(1 + x % 3 + 5 * (x / 1000) + 3 * y));
+    const EnvironmentMap map(image, "wide");
+    const auto angle = [](int y) {
+      return 2 * pi / width * (std::cos(pi * y / height) - std::cos(pi * (y + 1) / height));
+    };
+    // Mean of the bilinear radiance: neighbours reach an eighth into a pixel.
+    const auto row = [&](int x, int y) {
+      const auto at = [&](int column) {
+        return double(image.at((column + width) % width, std::clamp(y, 0, height - 1)).x);
+      };
+      return 0.125 * at(x - 1) + 0.75 * at(x) + 0.125 * at(x + 1);
+    };
+    const auto light = [&](int x, int y) {
+      return (0.125 * row(x, y - 1) + 0.75 * row(x, y) + 0.125 * row(x, y + 1)) * angle(y);
+    };
+    double total = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) total += light(x, y);
+    for (int top = 0; top < height; top += side)
+      for (const int left : {0, 2, 998, 4096, 8192, 8194}) {
+        const int right = std::min(left + side, width), bottom = std::min(top + side, height);
+        double power = 0, solidAngle = 0;
+        for (int y = top; y < bottom; ++y)
+          for (int x = left; x < right; ++x) {
+            power += light(x, y);
+            solidAngle += angle(y);
+          }
+        for (int y = top; y < bottom; ++y)
+          for (int x = left; x < right; ++x) {
+            const double pdf = map.pdf(EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height));
+            // The cumulative tables are float, and a block holds 1e-4 of a row.
+            QVERIFY(std::abs(pdf / (power / total / solidAngle) - 1) < 2e-3);
+          }
+      }
+    std::array<int, 3> rows{};
+    double radiance = 0;
+    constexpr int samples = 40000;
+    for (int i = 0; i < samples; ++i) {
+      const auto s = map.sample((i + 0.5) / samples, std::fmod(i * 0.6180339887498949, 1.0));
+      QVERIFY(std::abs(map.pdf(s.direction) / s.pdf - 1) < 1e-6);
+      radiance += s.radiance.x / s.pdf / samples;
+      ++rows[std::size_t(EnvironmentMap::positionOf(s.direction).y * height) / side];
+    }
+    QVERIFY(std::ranges::all_of(rows, [](int count) { return count > 0; }));
+    QVERIFY(std::abs(radiance / total - 1) < 2e-3);
+  }
+
   void badPicturesAreRefused() {
     QVERIFY_THROWS_EXCEPTION(Error, EnvironmentMap(Image(), "none"));
     const auto refusal = [](float value) {
