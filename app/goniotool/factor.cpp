@@ -95,7 +95,7 @@ struct FactorArguments {
     const int count = swaps() && !keepFurther ? 1 : terms;
     if (asPublished) return publishedPdvOptions(pdvForm, count);
     return {.form = pdvForm,
-            .transform = DataTransform(std::ranges::find(dataTransformNames, transform) - dataTransformNames.begin()),
+            .transform = dataTransformNamed(transform).value(),
             .terms = count,
             .weights = PdvWeights(std::ranges::find(pdvWeightNames, weights) - pdvWeightNames.begin()),
             .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes()

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,44 +20,64 @@ namespace gonio {
 /// Transforms of BRDF values before a factorisation, so that highlights do not dominate the error (Tongbuasirilai 2023,
 /// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", section 2.4).
 enum class DataTransform {
-  logPlus,    ///< y = ln(1 + rho): eq. 2.29, 4.26
-  cosineLog,  ///< y = ln(1 + rho w), w = max(cos theta_i cos theta_o, 1e-3): eq. 2.30, 4.34
-  root,       ///< y = rho^(1/2): eq. 2.31 with gamma 2
-  none        ///< y = rho
+  logPlus,           ///< y = ln(1 + rho / e), e = 1 1/sr: eq. 2.29, 4.26
+  cosineLog,         ///< y = ln(1 + rho w), w = max(cos theta_i cos theta_o, 1e-3): eq. 2.30, 4.34
+  root,              ///< y = rho^(1/gamma), gamma = 2: eq. 2.31
+  none,              ///< y = rho: gamma = 1
+  logPlusTenth,      ///< as logPlus with e = 0.1: dark values weigh more
+  logPlusHundredth,  ///< as logPlus with e = 0.01
+  gamma15,           ///< as root with gamma = 1.5
+  gamma25,           ///< gamma = 2.5
+  gamma3             ///< gamma = 3
 };
 /// Names in JSON, in files and on the command line, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 4> dataTransformNames{"log-plus", "cosine-log", "root", "none"};
+inline constexpr std::array<std::string_view, 9> dataTransformNames{
+    "log-plus", "cosine-log", "root", "none", "log-plus-0.1", "log-plus-0.01", "gamma-1.5", "gamma-2.5", "gamma-3"};
+
+/// nullopt for a name that is none of them.
+inline std::optional<DataTransform> dataTransformNamed(std::string_view name) {
+  const auto found = std::ranges::find(dataTransformNames, name);
+  if (found == dataTransformNames.end()) return std::nullopt;
+  return DataTransform(found - dataTransformNames.begin());
+}
+/// The names, separated by commas, for messages.
+inline std::string dataTransformList() {
+  std::string list;
+  for (const std::string_view name : dataTransformNames) list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+// Arrays, not switches: GCC 12 makes a table of a switch's results and reads it before it asks whether there is one.
+/// e of the logarithms, 1/sr; 0 for the others.
+constexpr double logOffset(DataTransform transform) {
+  constexpr std::array<double, dataTransformNames.size()> offsets{1, 1, 0, 0, 0.1, 0.01};
+  return offsets[static_cast<std::size_t>(transform)];
+}
+/// gamma of the roots; 1 for `none` and the logarithms.
+constexpr double gammaOf(DataTransform transform) {
+  constexpr std::array<double, dataTransformNames.size()> gammas{1, 1, 2, 1, 1, 1, 1.5, 2.5, 3};
+  return gammas[static_cast<std::size_t>(transform)];
+}
 
 /// w of the cosine-weighted logarithm. It has a lower bound because the inverse divides by it.
 inline double cosineWeight(double cosI, double cosO) { return std::max(cosI * cosO, 1e-3); }
 
 /// y of a BRDF value, without cancellation. @param rho 1/sr, >= 0. @param weight cosineWeight() of the pair.
 inline double transformed(DataTransform transform, double rho, double weight) {
-  switch (transform) {
-    case DataTransform::logPlus:
-      return std::log1p(rho);
-    case DataTransform::cosineLog:
-      return std::log1p(rho * weight);
-    case DataTransform::root:
-      return std::sqrt(rho);
-    default:
-      return rho;
-  }
+  if (transform == DataTransform::cosineLog) return std::log1p(rho * weight);
+  if (const double offset = logOffset(transform); offset > 0) return std::log1p(rho / offset);
+  if (transform == DataTransform::root) return std::sqrt(rho);
+  return transform == DataTransform::none ? rho : std::pow(rho, 1 / gammaOf(transform));
 }
 
-/// d rho / d y: the factor from a small error of y to the error of the BRDF value. That of the root, which vanishes at
-/// 0, is at least 0.01. @param rho 1/sr, >= 0. @param weight cosineWeight() of the pair.
+/// d rho / d y: the factor from a small error of y to the error of the BRDF value. That of roots, which vanishes at 0,
+/// is at least 0.01. @param rho 1/sr, >= 0. @param weight cosineWeight() of the pair.
 inline double inverseSlope(DataTransform transform, double rho, double weight) {
-  switch (transform) {
-    case DataTransform::logPlus:
-      return 1 + rho;
-    case DataTransform::cosineLog:
-      return rho + 1 / weight;
-    case DataTransform::root:
-      return std::max(2 * std::sqrt(rho), 0.01);
-    default:
-      return 1;
-  }
+  if (transform == DataTransform::cosineLog) return rho + 1 / weight;
+  if (const double offset = logOffset(transform); offset > 0) return offset + rho;
+  if (transform == DataTransform::none) return 1;
+  const double gamma = gammaOf(transform);
+  return std::max(gamma * std::pow(rho, 1 - 1 / gamma), 0.01);
 }
 
 /// Upper bound of the inverse transforms, 1/sr: beyond y = 89 the inverse of a logarithm exceeds the range of the
@@ -68,11 +90,19 @@ inline double inverseTransformed(DataTransform transform, double y, double weigh
   const double positive = y > 0 ? y : 0;
   switch (transform) {
     case DataTransform::logPlus:
-      return std::min(fastExpm1(std::min(positive, maxLog)), maxBrdfValue);
+    case DataTransform::logPlusTenth:
+    case DataTransform::logPlusHundredth:
+      return std::min(logOffset(transform) * fastExpm1(std::min(positive, maxLog)), maxBrdfValue);
     case DataTransform::cosineLog:
       return std::min(fastExpm1(std::min(positive, maxLog)) / weight, maxBrdfValue);
     case DataTransform::root:
       return std::min(positive * positive, maxBrdfValue);
+    case DataTransform::gamma15:
+      return std::min(positive * std::sqrt(positive), maxBrdfValue);
+    case DataTransform::gamma25:
+      return std::min(positive * positive * std::sqrt(positive), maxBrdfValue);
+    case DataTransform::gamma3:
+      return std::min(positive * positive * positive, maxBrdfValue);
     default:
       return std::min(positive, maxBrdfValue);
   }

@@ -82,11 +82,14 @@ void invert(Eigen::Ref<Eigen::Array<Scalar, Eigen::Dynamic, 1>> values, DataTran
     return keepingSigns(values, [&] { invert<Scalar>(values, transform, weights, 0); });
   }
   values = values.max(Scalar(0));
-  if (transform == DataTransform::root) values = values.square();
-  if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) {
+  if (const double offset = logOffset(transform); offset > 0) {
     constexpr Scalar mostLog = 88;  // e^88 is the last round exponent in the range of float
-    values = values.min(mostLog).expm1();
+    values = values.min(mostLog).expm1() * Scalar(offset);
     if (transform == DataTransform::cosineLog) values /= weights.cast<Scalar>();
+  } else if (transform == DataTransform::root) {
+    values = values.square();
+  } else if (transform != DataTransform::none) {
+    values = values.pow(Scalar(gammaOf(transform)));
   }
   values = values.min(Scalar(std::numeric_limits<float>::max()));
 }
@@ -142,8 +145,12 @@ void transform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
   assert(values.size() == weights.size());
   if ((values < 0).any()) return keepingSigns(values, [&] { dictionary::transform(values, transform, weights); });
   if (transform == DataTransform::cosineLog) values *= weights.cast<double>();
-  if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) values = values.log1p();
-  if (transform == DataTransform::root) values = values.sqrt();
+  if (const double offset = logOffset(transform); offset > 0)
+    values = (values / offset).log1p();
+  else if (transform == DataTransform::root)
+    values = values.sqrt();
+  else if (transform != DataTransform::none)
+    values = values.pow(1 / gammaOf(transform));
 }
 
 void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,

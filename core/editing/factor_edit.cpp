@@ -66,10 +66,9 @@ std::vector<double> nodesFromJson(const JsonObject& object, const char* key, std
 }
 
 DataTransform transformFromJson(const JsonObject& object) {
-  const std::string name = object.text("transform");
-  const auto found = std::find(dataTransformNames.begin(), dataTransformNames.end(), name);
-  if (found == dataTransformNames.end()) object.fail("transform", "log-plus, cosine-log, root or none");
-  return static_cast<DataTransform>(found - dataTransformNames.begin());
+  const auto found = dataTransformNamed(object.text("transform"));
+  if (!found) object.fail("transform", "one of " + dataTransformList());
+  return *found;
 }
 
 std::vector<PdvTerm> termsFromJson(const nlohmann::json& json, const PdvFactors& axes, const std::string& where) {

@@ -275,6 +275,16 @@ void invertTransform(DataTransform transform, std::span<double> sums, const Rang
       return invertTransform<DataTransform::root>(sums, limits, weights);
     case DataTransform::none:
       return invertTransform<DataTransform::none>(sums, limits, weights);
+    case DataTransform::logPlusTenth:
+      return invertTransform<DataTransform::logPlusTenth>(sums, limits, weights);
+    case DataTransform::logPlusHundredth:
+      return invertTransform<DataTransform::logPlusHundredth>(sums, limits, weights);
+    case DataTransform::gamma15:
+      return invertTransform<DataTransform::gamma15>(sums, limits, weights);
+    case DataTransform::gamma25:
+      return invertTransform<DataTransform::gamma25>(sums, limits, weights);
+    case DataTransform::gamma3:
+      return invertTransform<DataTransform::gamma3>(sums, limits, weights);
   }
 }
 

@@ -26,10 +26,9 @@ using namespace factorization;
 constexpr std::array<std::string_view, 2> formNames{"2d", "3d"};  // in the order of PdvForm
 
 DataTransform transformOf(const std::string& name) {
-  const auto found = std::ranges::find(dataTransformNames, name);
-  if (found == dataTransformNames.end())
-    throw Error("transform: found '" + name + "', expected log-plus, cosine-log, root or none");
-  return DataTransform(found - dataTransformNames.begin());
+  const auto found = dataTransformNamed(name);
+  if (!found) throw Error("transform: found '" + name + "', expected one of " + dataTransformList());
+  return *found;
 }
 
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }

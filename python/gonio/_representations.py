@@ -43,7 +43,7 @@ class Factors:
 
     @property
     def transform(self) -> str:
-        """Transform of BRDF values: "log-plus", "cosine-log", "root" or "none" (see gonio.factorize())."""
+        """Transform of BRDF values, such as "log-plus" (see gonio.factorize())."""
         return self._handle.transform
 
     @property
@@ -139,7 +139,9 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
         form: "2d" (two curves per term; Tongbuasirilai et al. 2017) or "3d" (three; Tongbuasirilai et al. 2019;
             Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, eq. 4.25).
         transform: Transform of BRDF values rho before the factorisation: "log-plus", ln(1 + rho); "cosine-log",
-            ln(1 + rho w) with w = max(cos theta_i cos theta_o, 0.001); "root", the square root; or "none" (docs/factors.md).
+            ln(1 + rho w) with w = max(cos theta_i cos theta_o, 0.001); "log-plus-0.1" and "log-plus-0.01",
+            ln(1 + rho / e); "gamma-1.5", "root" (gamma 2), "gamma-2.5" and "gamma-3", rho^(1 / gamma); or "none"
+            (docs/factors.md).
         weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to images;
             docs/factors.md) or "equal" (as in the papers).
         deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.

@@ -22,8 +22,18 @@ QString transformFormula(DataTransform transform) {
       return QStringLiteral("ln(1 + ρ)");
     case DataTransform::cosineLog:
       return QStringLiteral("ln(1 + ρ max(cos θi cos θo, 0.001))");
+    case DataTransform::logPlusTenth:
+      return QStringLiteral("ln(1 + ρ / 0.1)");
+    case DataTransform::logPlusHundredth:
+      return QStringLiteral("ln(1 + ρ / 0.01)");
     case DataTransform::root:
       return QStringLiteral("√ρ");
+    case DataTransform::gamma15:
+      return QStringLiteral("ρ^(1/1.5)");
+    case DataTransform::gamma25:
+      return QStringLiteral("ρ^(1/2.5)");
+    case DataTransform::gamma3:
+      return QStringLiteral("ρ^(1/3)");
     default:
       return QStringLiteral("ρ");
   }

@@ -14,8 +14,9 @@ using namespace gonio;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test_support;
 
-constexpr DataTransform transforms[] = {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root,
-                                        DataTransform::none};
+constexpr DataTransform transforms[] = {
+    DataTransform::logPlus, DataTransform::cosineLog,        DataTransform::root,
+    DataTransform::none,    DataTransform::logPlusHundredth, DataTransform::gamma25};
 constexpr float epsilon = std::numeric_limits<float>::epsilon();
 constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
 

@@ -48,7 +48,8 @@ class PdvFactorsTest : public QObject {
   /// At the nodes the value is the inverse transform of the sum of the products.
   void evaluationWrittenOut() {
     PdvFactors f = someFactors();
-    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::none}) {
+    for (const DataTransform transform :
+         {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::none, DataTransform::gamma3}) {
       f.transform = transform;
       const auto brdf = makePdvBrdf(f);
       for (std::size_t i = 0; i < 3; ++i)
@@ -75,7 +76,8 @@ class PdvFactorsTest : public QObject {
     for (PdvTerm& term : f.channels[0]) term.f1 = {-0.2, -0.3, -1, 2};
     const double ys[] = {-0.2 * 3, -0.3 * 3, -1 * 3};
     for (const DataTransform transform :
-         {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none}) {
+         {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none,
+          DataTransform::logPlusTenth, DataTransform::gamma15, DataTransform::gamma3}) {
       f.transform = transform;
       const auto brdf = makePdvBrdf(f);
       for (std::size_t i = 0; i < 3; ++i) {
