@@ -73,7 +73,7 @@ class Level {
         across.emplace_back(distanceOf(placeOf(readings.plan.plan.samples[i].directions)),
                             glm::log(glm::max(readings.values.rgb[i], Rgb(0)) + floor));
     std::ranges::sort(across, {}, [](const auto& reading) { return reading.first; });
-    distances_ = {0};
+    distances_.push_back(0);
     std::vector<double> changes{0}, roots{0};
     Rgb last = across.empty() ? Rgb(0) : across.front().second;
     for (const auto& [distance, z] : across) {

@@ -104,6 +104,12 @@ void DirectionRows::buildMethod(QFormLayout& form) {
     m_method->setItemData(m_method->count() - 1, explanation, Qt::ToolTipRole);
   }
   form.addRow(tr("Metho&d"), m_method);
+  m_signals = rowBox(
+      tr("What the method sees of the training set: its principal components, or the atoms of the bundled dictionaries "
+         "with the largest variances in it,\nwhich take some minutes to learn. The material is reconstructed from "
+         "principal components in both cases."));
+  m_signals->addItems({tr("Principal components"), tr("Dictionary atoms")});
+  form.addRow(tr("O&ver"), m_signals);
   m_seed = rowField(
       tr("Seed"),
       tr("Seed of the methods Random and Condition number, and of the noise; change it to get other random values"), 1,
@@ -130,7 +136,7 @@ void DirectionRows::buildRig(QFormLayout& form) {
 }
 
 void DirectionRows::connectParts() {
-  connect(m_method, &QComboBox::activated, this, &DirectionRows::edited);
+  for (QComboBox* box : {m_method, m_signals}) connect(box, &QComboBox::activated, this, &DirectionRows::edited);
   connect(m_forbidden, &widgets::ForbiddenRegionsEditor::regionsEdited, this, &DirectionRows::edited);
   for (widgets::NumberField* number : {m_seed, m_maxAngle, m_separation})
     connect(number, &widgets::NumberField::valueEdited, this, &DirectionRows::edited);
@@ -156,6 +162,8 @@ acquisition::SelectionMethod DirectionRows::method() const {
   return acquisition::SelectionMethod(m_method->currentData().toInt());
 }
 
+bool DirectionRows::isOverAtoms() const { return m_signals->currentIndex() == 1; }
+
 acquisition::MeasurableDirections DirectionRows::measurable() const {
   return {m_maxAngle->value(), m_separation->value(), m_forbidden->regions()};
 }
@@ -163,8 +171,8 @@ acquisition::MeasurableDirections DirectionRows::measurable() const {
 std::uint64_t DirectionRows::seed() const { return std::uint64_t(std::llround(m_seed->value())); }
 
 void DirectionRows::setEnabled(bool enabled, bool noisy) {
-  for (QWidget* part :
-       std::initializer_list<QWidget*>{m_samplesSlider, m_samples, m_method, m_maxAngle, m_separation, m_forbidden})
+  for (QWidget* part : std::initializer_list<QWidget*>{m_samplesSlider, m_samples, m_method, m_signals, m_maxAngle,
+                                                       m_separation, m_forbidden})
     part->setEnabled(enabled);
   using Method = acquisition::SelectionMethod;
   m_seed->setEnabled(enabled && (noisy || method() == Method::random || method() == Method::conditionNumber));
@@ -409,6 +417,7 @@ PlanSettings AcquisitionControls::planSettings() const {
   settings.materialClass = m_training->materialClass();
   settings.leaveOutReference = m_training->leavesMeasuredOut();
   settings.method = m_directions->method();
+  settings.overAtoms = m_directions->isOverAtoms();
   settings.samples = m_directions->samples();
   settings.measurable = m_directions->measurable();
   settings.seed = m_directions->seed();

@@ -50,11 +50,13 @@ class DirectionRows : public QObject {
   int samples() const;
   void setSamples(int samples);
   acquisition::SelectionMethod method() const;
+  bool isOverAtoms() const;
   acquisition::MeasurableDirections measurable() const;
   std::uint64_t seed() const;
   /// @param noisy whether the simulated noise uses the seed, too.
   void setEnabled(bool enabled, bool noisy);
   QComboBox& methodBox() const { return *m_method; }
+  QComboBox& signalsBox() const { return *m_signals; }
   widgets::ForbiddenRegionsEditor& forbidden() const { return *m_forbidden; }
 
  Q_SIGNALS:
@@ -68,7 +70,7 @@ class DirectionRows : public QObject {
   void connectParts();
 
   widgets::ParameterSlider* m_samplesSlider;
-  QComboBox* m_method;
+  QComboBox *m_method, *m_signals;
   widgets::NumberField *m_samples, *m_seed, *m_maxAngle, *m_separation;
   widgets::ForbiddenRegionsEditor* m_forbidden;
 };

@@ -6,9 +6,12 @@
 #include <QDir>
 #include <QPointer>
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "app/gonio/document/material_files.h"
+#include "core/acquisition/atom_components.h"
 #include "core/materials/bundled_library.h"
+#include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
 #include "core/materials/material_formats.h"
 #include "core/study/learned_basis.h"
@@ -130,6 +133,7 @@ void AcquisitionPlanner::learn(const QStringList& ids, int components) {
   using Basis = std::shared_ptr<const dictionary::PrincipalComponents>;
   // Gigabytes, of a large set: the old one goes before the new one comes.
   m_basis.reset();
+  m_atoms.reset();
   m_learned.clear();
   m_tasks.run<Basis>(
       {.title = tr("Learning from %n materials", nullptr, int(ids.size())), .key = m_taskKey, .isLong = true},
@@ -147,13 +151,40 @@ void AcquisitionPlanner::learn(const QStringList& ids, int components) {
   Q_EMIT learning();
 }
 
+void AcquisitionPlanner::learnAtoms() {
+  using Atoms = std::shared_ptr<const dictionary::PrincipalComponents>;
+  const int atoms = std::max(acquisition::defaultAtomSignals, m_settings.samples);
+  m_tasks.run<Atoms>(
+      {.title = tr("Learning coefficients of dictionaries"), .key = m_taskKey, .isLong = true},
+      [ids = m_learned, atoms, materialClass = m_learnedClass](const TaskControl& control) {
+        constexpr double learned = 0.8;
+        const auto dictionary = materials::bundledEnsemble();
+        std::vector<std::string> files;
+        for (const QString& id : ids) files.push_back(id.toStdString());
+        files = study::filesOfClass(files, materialClass, {control.stop, {}});
+        const auto prior = acquisition::learnDictionaryPrior(dictionary->ensemble,
+                                                             study::trainingMaterials(files, dictionary->ensemble.grid),
+                                                             {}, control.between(0, learned));
+        return std::make_shared<const dictionary::PrincipalComponents>(
+            acquisition::atomComponents(dictionary->ensemble, prior, atoms, control.between(learned, 1)));
+      },
+      [this](const Atoms& found) {
+        m_atoms = found;
+        choose();
+      },
+      failure(tr("Cannot learn from the training set")), [this] { Q_EMIT stopped(); });
+  Q_EMIT learning();
+}
+
 void AcquisitionPlanner::choose() {
   if (m_given) return takeGiven();
+  if (m_settings.overAtoms && (!m_atoms || m_atoms->count() < m_settings.samples)) return learnAtoms();
   acquisition::SelectionOptions options;
   options.method = m_settings.method;
   options.samples = m_settings.samples;
   options.measurable = m_settings.measurable;
   options.seed = m_settings.seed;
+  const auto signals = m_settings.overAtoms ? m_atoms : m_basis;
   const auto showCell = [planner = QPointer(this), tasks = &m_tasks, run = m_run](std::uint32_t cell) {
     QMetaObject::invokeMethod(
         tasks,
@@ -165,9 +196,9 @@ void AcquisitionPlanner::choose() {
   using Planned = std::pair<acquisition::SampleSelection, acquisition::SamplingPlan>;
   m_tasks.run<Planned>(
       {tr("Choosing %n directions", nullptr, options.samples), m_taskKey},
-      [basis = m_basis, options, showCell](const TaskControl& control) {
-        auto selection = acquisition::selectSamples(*basis, options, control, showCell);
-        auto plan = acquisition::planFor(basis->mapping.grid, selection.cells);
+      [signals, options, showCell](const TaskControl& control) {
+        auto selection = acquisition::selectSamples(*signals, options, control, showCell);
+        auto plan = acquisition::planFor(signals->mapping.grid, selection.cells);
         return Planned(std::move(selection), std::move(plan));
       },
       [this](const Planned& one) { install(one.first, one.second); }, failure(tr("Cannot choose directions")),

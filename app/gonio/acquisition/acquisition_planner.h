@@ -54,6 +54,9 @@ struct PlanSettings {
   study::MaterialClass materialClass = study::MaterialClass::all;  ///< the part of the training set that is used
   bool leaveOutReference = true;  ///< excludes the measured material from the training set
   acquisition::SelectionMethod method = acquisition::SelectionMethod::simultaneousPursuit;
+  /// Selects over the atoms of the bundled dictionaries (acquisition::atomComponents()) instead of the principal
+  /// components, which still reconstruct the material.
+  bool overAtoms = false;
   int samples = 20;
   acquisition::MeasurableDirections measurable;
   std::uint64_t seed = 1;
@@ -100,6 +103,7 @@ class AcquisitionPlanner : public QObject {
 
  private:
   void learn(const QStringList& ids, int components);
+  void learnAtoms();
   void choose();
   void takeGiven();
   void install(const acquisition::SampleSelection& selection, const acquisition::SamplingPlan& plan);
@@ -110,7 +114,8 @@ class AcquisitionPlanner : public QObject {
   QString m_taskKey;
   PlanSettings m_settings;
   std::shared_ptr<const dictionary::PrincipalComponents> m_basis;
-  QStringList m_learned;  ///< materials of m_basis
+  std::shared_ptr<const dictionary::PrincipalComponents> m_atoms;  ///< of the same materials; null until needed
+  QStringList m_learned;                                           ///< materials of m_basis
   study::MaterialClass m_learnedClass = study::MaterialClass::all;
   int m_learnedComponents = 0;                       ///< maximum number of components of m_basis
   std::optional<acquisition::SamplingPlan> m_given;  ///< existing plan to use, if any

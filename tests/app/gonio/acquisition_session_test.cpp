@@ -86,6 +86,21 @@ class AcquisitionSessionTest : public QObject {
     QCOMPARE(acquisition.steps, expected);
   }
 
+  /// The bundled dictionaries are of the MERL grid. Directions over their atoms take minutes to learn; that they need
+  /// materials of that grid is said before, and the session goes on.
+  void atomsNeedTheGridOfTheDictionaries() {
+    Acquisition acquisition;
+    QVERIFY(acquisition.measure(acquisition.library.subject));
+    PlanSettings settings = acquisition.library.settings(6);
+    settings.overAtoms = true;
+    QVERIFY(!acquisition.plan(settings));
+    QCOMPARE(acquisition.failures.size(), 1);
+    QVERIFY2(acquisition.failures[0].contains(QStringLiteral("90 x 90 x 180")), qPrintable(acquisition.failures[0]));
+    QVERIFY(!acquisition.session.isBusy());
+    settings.overAtoms = false;
+    QVERIFY(acquisition.plan(settings));
+  }
+
   /// A material of the training set lies in the span of its components: enough samples without a ridge find it again.
   void whatWasLearnedIsFoundAgain() {
     Acquisition acquisition;
