@@ -106,6 +106,8 @@ class PhotographFitTest : public QObject {
         before += training[i];
       }
     QVERIFY2(posterior < 0.25 * before, QByteArray::number(posterior / before));
+    QCOMPARE(fit.widening, widening(fit.unexplainedSnr));
+    QVERIFY(fit.unexplainedSnr >= fit.residualSnr[0]);
   }
 
   /// The checks name the fault.
@@ -122,6 +124,17 @@ class PhotographFitTest : public QObject {
     QVERIFY2(std::abs(strongest->estimate + 1) < 0.5, text);
     QVERIFY2(strongest->isSuspicious, text);
     QCOMPARE(fit.warnings.size(), std::size_t(1));
+  }
+
+  /// What a material leaves unexplained widens its uncertainty, within limits.
+  void deviationsWidenWithTheResidual() {
+    double last = widening(-10);
+    QCOMPARE(widening(0), last);
+    for (const double snr : {12.0, 20.0, 30.0, 40.0}) {
+      QVERIFY(widening(snr) < last);
+      last = widening(snr);
+    }
+    QCOMPARE(widening(60), last);
   }
 
   void canBeCancelled() {
