@@ -113,7 +113,7 @@ Solution solved(const Quadratic& of, const LocalPrior& prior) {
 }
 
 constexpr std::array<double, 5> triedBandwidths{0.11, 0.22, 0.44, 0.89, unbounded};
-constexpr std::array<double, 9> triedNoises{0.0025, 0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64};
+constexpr std::array<double, 7> triedNoises{0.0025, 0.005, 0.01, 0.02, 0.04, 0.08, 0.16};
 
 /// The state of the iterations.
 struct State {
@@ -301,7 +301,7 @@ class InputChecks {
     // A material that stays unexplained with the estimated difference, too, is another one than the prior expects.
     const MatrixX3d shifted = fromMean_ - result.estimate * q;
     const MatrixX3d left = shifted - modelled(solution_.normal.solve(projected(shifted)));
-    const double widened = std::max(1.0, widening(problem_.unexplainedSnr(left)));
+    const double widened = std::max(1.0, widening(problem_.unexplainedSnr(left), set_.photographs.size()));
     result.deviation = widened / std::sqrt(information);
     result.evidence = 0.5 * agreement * agreement / information / (widened * widened);
     constexpr double significant = 4.5;  // three deviations
@@ -351,10 +351,11 @@ std::string warningOf(const std::vector<InputCheck>& checks) {
 
 }  // namespace
 
-double widening(double unexplainedSnr) {
+double widening(double unexplainedSnr, std::size_t images) {
   // The regression of the logarithm (docs/results/photographs.md), within the residuals that it had.
-  constexpr double lowest = 10, highest = 40, atHighest = 0.74, perDecibel = 0.0315;
-  return atHighest * std::exp(perDecibel * (highest - std::clamp(unexplainedSnr, lowest, highest)));
+  constexpr double lowest = 10, highest = 40, atZero = 0.956, perDecibel = 0.0315, ofImages = 0.4;
+  return std::exp(atZero - perDecibel * std::clamp(unexplainedSnr, lowest, highest)) *
+         std::pow(double(images), ofImages);
 }
 
 PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set, std::size_t maxRegions,
@@ -395,7 +396,7 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   const Solution solution = solved(quadratic, last);
   const MatrixX3d unexplained = problem.data - problem.exposure(state.x) * state.at.values;
   result.unexplainedSnr = problem.unexplainedSnr(unexplained);
-  result.widening = widening(result.unexplainedSnr);
+  result.widening = widening(result.unexplainedSnr, set.photographs.size());
   // With N = L L^T the inverse of the covariance of w, that of x has the factor G L^-T.
   const MatrixXd factor = result.widening * solution.normal.matrixU().solve<Eigen::OnTheRight>(last.factor);
   const MatrixX3d coefficients = coefficientsOf(state.x, components);

@@ -34,7 +34,7 @@ struct PhotographFit {
   /// 10 log10 of the energy of all regions relative to that of their differences from `predicted` beyond noise, dB.
   double unexplainedSnr = 0;
   /// Factor of the posterior standard deviations that `posteriorFactors`, `exposureDeviation` and deviations() include,
-  /// widening(unexplainedSnr).
+  /// widening().
   double widening = 1;
   std::vector<Region> regions;
   std::vector<Rgb> predicted;  ///< pixel values of the regions
@@ -46,10 +46,10 @@ struct PhotographFit {
 };
 
 /// How many times larger than the posterior standard deviations the errors of mapped values are, in the median over
-/// training materials that were left out of the prior, for PhotographFit::unexplainedSnr. The prior is that of the
-/// training materials, and a material that they cannot represent in the pixels differs from them in other directions,
-/// too.
-double widening(double unexplainedSnr);
+/// training materials that were left out of the prior, for PhotographFit::unexplainedSnr. A material that the
+/// components cannot represent in the pixels differs from them in other directions, too. More images reduce the
+/// posterior deviations more than the errors, as what the components cannot represent is alike in all.
+double widening(double unexplainedSnr, std::size_t images);
 
 /// The most likely material given photographs, and its uncertainty: a Gaussian prior over the coefficients of the
 /// principal components, weighted toward training materials that would look like the photographs (as

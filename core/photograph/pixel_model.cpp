@@ -23,29 +23,29 @@ PixelLinearisation linearised(const PhotographPrior& prior, const PixelRows& row
   PixelLinearisation result;
   result.values.resize(count, pixelChannels);
   for (MatrixXd& of : result.jacobian) of.resize(count, components);
-  parallelForBlocks(
-      rows.count(), 16,
-      [&](std::size_t begin, std::size_t end) {
-        std::array<Eigen::RowVectorXf, 3> sums;
-        for (std::size_t row = begin; row < end; ++row) {
-          Rgb value(0);
-          for (auto& sum : sums) sum.setZero(components);
-          for (std::size_t n = rows.first[row]; n < rows.first[row + 1]; ++n) {
-            const std::uint32_t cell = rows.cells[n];
-            value += Rgb(rows.weights[n] * values[cell]);
-            const glm::vec3 factor = rows.weights[n] * slopes[cell];
-            const auto d = prior.d.row(Index(cell));
-            sums[0] += factor.x * d;
-            sums[1] += factor.y * d;
-            sums[2] += factor.z * d;
-          }
-          for (Index channel = 0; channel < pixelChannels; ++channel) {
-            result.values(Index(row), channel) = value[int(channel)];
-            result.jacobian[std::size_t(channel)].row(Index(row)) = sums[std::size_t(channel)].cast<double>();
-          }
-        }
-      },
-      control);
+  parallelForBlocks(rows.count(), 16,
+                    [&](std::size_t begin, std::size_t end) {
+                      std::array<Eigen::RowVectorXf, 3> sums;
+                      for (std::size_t row = begin; row < end; ++row) {
+                        Rgb value(0);
+                        for (auto& sum : sums) sum.setZero(components);
+                        for (std::size_t n = rows.first[row]; n < rows.first[row + 1]; ++n) {
+                          const std::uint32_t cell = rows.cells[n];
+                          value += Rgb(rows.weights[n] * values[cell]);
+                          const glm::vec3 factor = rows.weights[n] * slopes[cell];
+                          const auto d = prior.d.row(Index(cell));
+                          sums[0] += factor.x * d;
+                          sums[1] += factor.y * d;
+                          sums[2] += factor.z * d;
+                        }
+                        for (Index channel = 0; channel < pixelChannels; ++channel) {
+                          result.values(Index(row), channel) = value[int(channel)];
+                          result.jacobian[std::size_t(channel)].row(Index(row)) =
+                              sums[std::size_t(channel)].cast<double>();
+                        }
+                      }
+                    },
+                    {control.stop, {}});
   return result;
 }
 

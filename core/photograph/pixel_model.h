@@ -16,7 +16,8 @@ struct PixelLinearisation {
   std::array<Eigen::MatrixXd, 3> jacobian;  ///< by the coefficients: rows x components
 };
 
-/// @param coefficients components x channels. O(entries of the rows x components). @throws Cancelled.
+/// @param coefficients components x channels. O(entries of the rows x components). Reports no progress.
+/// @throws Cancelled.
 PixelLinearisation linearised(const PhotographPrior& prior, const PixelRows& rows, const Eigen::MatrixX3d& coefficients,
                               const TaskControl& control = {});
 

@@ -15,17 +15,21 @@ using namespace gonio::test;
 
 constexpr HalfDifferenceGrid trainingGrid{45, 15, 18, true};
 
+/// With ' in place of ".
+QByteArray quoted(QByteArray text) { return text.replace('\'', '"'); }
+
 /// goniotool photograph: images are simulated, a material comes back from them, and the next one is planned.
 class GoniotoolPhotographTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
+    QDir().mkpath(folder_.path("train"));
     for (int i = 0; i < 6; ++i)
       folder_.writeTable(
           QString("train/train%1.binary").arg(i), "ggx",
           {{Rgb(0.1 + 0.08 * i, 0.3, 0.5 - 0.08 * i), Rgb(0.9 - 0.1 * i), Rgb(0.15 + 0.1 * i), Rgb(0.04 + 0.03 * i)}},
           trainingGrid);
-    folder_.writeText("sphere.json", description("studio.exr", R"({"environment": "studio", "rotation": 0})"));
+    folder_.writeText("sphere.json", description("studio.exr", quoted("{'environment': 'studio', 'rotation': 0}")));
     simulated_ = runJson({"photograph", "simulate", folder_.path("sphere.json"), folder_.path("train/train2.binary"),
                           "--samples", "64", "--noise", "0.01"});
     VERIFY_SUCCESS(simulated_);
@@ -112,8 +116,8 @@ class GoniotoolPhotographTest : public QObject {
       rgba.push_back(255);
     }
     io::writePng(rgba, linear.width, linear.height, folder_.path("studio.png").toStdString());
-    const QByteArray light = R"({"environment": "studio", "rotation": 0})";
-    folder_.writeText("encoded.json", description("studio.png", light, R"(, "gamma": 2.2)"));
+    const QByteArray light = quoted("{'environment': 'studio', 'rotation': 0}");
+    folder_.writeText("encoded.json", description("studio.png", light, quoted(", 'gamma': 2.2")));
     const QString out = folder_.path("encoded.binary");
     const ToolResult found = runJson(fitting("encoded.json") + QStringList{"--out", out});
     VERIFY_SUCCESS(found);
@@ -126,18 +130,17 @@ class GoniotoolPhotographTest : public QObject {
   void wrongInput_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QString>("message");
-    const QByteArray studio = R"({"environment": "studio"})";
+    const QByteArray studio = quoted("{'environment': 'studio'}");
     QTest::newRow("no JSON") << QByteArray("{") << "JSON";
-    QTest::newRow("another format") << QByteArray(R"({"format": "x"})") << "gonio photographs";
+    QTest::newRow("another format") << quoted("{'format': 'x'}") << "gonio photographs";
     QTest::newRow("no such image") << description("missing.exr", studio) << "missing.exr";
-    QTest::newRow("no such environment") << description("studio.exr", R"({"environment": "moon"})") << "moon";
-    QTest::newRow("misspelt member") << description("studio.exr", studio, R"(, "shpere": 1)") << "shpere";
-    QTest::newRow("gamma of a linear image") << description("studio.exr", studio, R"(, "gamma": 2.2)") << "gamma";
-    QTest::newRow("grey patch outside")
-        << description("studio.exr", studio,
-                       R"(, "greyPatch": {"x": 90, "y": 0, "width": 4, "height": 4, "normal": [0, 0, 1],
-                          "reflectance": 0.5})")
-        << "grey patch";
+    QTest::newRow("no such environment") << description("studio.exr", quoted("{'environment': 'moon'}")) << "moon";
+    QTest::newRow("misspelt member") << description("studio.exr", studio, quoted(", 'shpere': 1")) << "shpere";
+    QTest::newRow("gamma of a linear image") << description("studio.exr", studio, quoted(", 'gamma': 2.2")) << "gamma";
+    QTest::newRow("grey patch outside") << description("studio.exr", studio,
+                                                       quoted(", 'greyPatch': {'x': 90, 'y': 0, 'width': 4, 'height': "
+                                                              "4, 'normal': [0, 0, 1], 'reflectance': 0.5}"))
+                                        << "grey patch";
   }
   /// One line that names the file, or the member and what is expected.
   void wrongInput() {
@@ -169,9 +172,9 @@ class GoniotoolPhotographTest : public QObject {
 
  private:
   static QByteArray description(const QByteArray& file, const QByteArray& light, const QByteArray& members = {}) {
-    return R"({"format": "gonio photographs", "version": 1, "images": [{"file": ")" + file +
-           R"(", "camera": {"position": [0, 0, 4]}, "width": 48, "height": 48, "lights": [)" + light + "]" + members +
-           "}]}";
+    return quoted("{'format': 'gonio photographs', 'version': 1, 'images': [{'file': '") + file +
+           quoted("', 'camera': {'position': [0, 0, 4]}, 'width': 48, 'height': 48, 'lights': [") + light + "]" +
+           members + "}]}";
   }
   QStringList fitting(const QString& file) const {
     return {"photograph", "fit", folder_.path(file), "--train", folder_.path("train"), "--regions", "200", "--force"};

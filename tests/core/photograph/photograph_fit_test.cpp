@@ -106,7 +106,7 @@ class PhotographFitTest : public QObject {
         before += training[i];
       }
     QVERIFY2(posterior < 0.25 * before, QByteArray::number(posterior / before));
-    QCOMPARE(fit.widening, widening(fit.unexplainedSnr));
+    QCOMPARE(fit.widening, widening(fit.unexplainedSnr, 1));
     QVERIFY(fit.unexplainedSnr >= fit.residualSnr[0]);
   }
 
@@ -128,13 +128,14 @@ class PhotographFitTest : public QObject {
 
   /// What a material leaves unexplained widens its uncertainty, within limits.
   void deviationsWidenWithTheResidual() {
-    double last = widening(-10);
-    QCOMPARE(widening(0), last);
+    double last = widening(-10, 1);
+    QCOMPARE(widening(0, 1), last);
+    QVERIFY(widening(20, 4) > widening(20, 1));
     for (const double snr : {12.0, 20.0, 30.0, 40.0}) {
-      QVERIFY(widening(snr) < last);
-      last = widening(snr);
+      QVERIFY(widening(snr, 1) < last);
+      last = widening(snr, 1);
     }
-    QCOMPARE(widening(60), last);
+    QCOMPARE(widening(60, 1), last);
   }
 
   void canBeCancelled() {
