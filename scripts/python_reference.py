@@ -30,6 +30,7 @@ SECTIONS = {
                     "predict_from_factors", "bundled_basis", "learn_basis", "learn_atoms", "open_basis", "separate", "learn_separated_basis",
                     "SeparatedBasis", "Plan", "Readings", "Reconstruction",
                     "FactorPlan", "FactorPrediction", "Basis"],
+    "Photographs": ["from_images", "plan_images", "ImageReconstruction", "ImagePlan", "InputCheck"],
     "Images, studies, exports": ["render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison",
                                    "Effect", "Record", "Export", "Target"],
 }

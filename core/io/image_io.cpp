@@ -4,6 +4,12 @@
 
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
+#define STBI_NO_STDIO
+#include <stb/stb_image.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
 
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
@@ -14,6 +20,32 @@
 namespace gonio::io {
 
 namespace {
+
+/// @throws Error that says why stb cannot read the bytes.
+[[noreturn]] void failEncoded() {
+  throw Error(std::string("found no PNG or JPEG image that can be read (") + stbi_failure_reason() + ")");
+}
+
+Image decodeEncoded(std::span<const std::byte> bytes) {
+  constexpr std::int64_t mostSide = 32768, mostPixels = std::int64_t(1) << 27;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
+    throw Error("found more than 2 GB, expected an image");
+  const int size = int(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) failEncoded();
+  if (width > mostSide || height > mostSide || std::int64_t(width) * height > mostPixels)
+    throw Error("found " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels, expected at most 32768 per side and 2^27 in total");
+  const std::unique_ptr<stbi_us, void (*)(void*)> values(
+      stbi_load_16_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
+  if (!values) failEncoded();
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      image.pixels[i][channel] = float(values.get()[3 * i + std::size_t(channel)]) / 65535.0f;
+  return image;
+}
 
 void checkShape(bool matches, int width, int height) {
   if (!matches || width < 1 || height < 1)
@@ -31,6 +63,10 @@ ImageFile readImageFile(std::span<const std::byte> bytes) {
 
 ImageFile readImageFile(const std::filesystem::path& path) {
   return withFileInErrors(path, [&] { return readImageFile(FileSource(path).readAll()); });
+}
+
+Image readEncodedImage(const std::filesystem::path& path) {
+  return withFileInErrors(path, [&] { return decodeEncoded(FileSource(path).readAll()); });
 }
 
 Image readImage(std::span<const std::byte> bytes) { return readImageFile(bytes).image; }

@@ -8,6 +8,8 @@
 #include "core/io/byte_source.h"
 #include "core/io/image_io.h"
 #include "core/io/json_text.h"
+#include "core/math/colour.h"
+#include "core/photograph/grey_patch.h"
 #include "core/support/error.h"
 #include "core/support/json_object.h"
 #include "core/support/text.h"
@@ -16,7 +18,6 @@ namespace gonio::photograph {
 
 namespace {
 
-constexpr std::uint64_t maxDescriptionBytes = std::uint64_t(1) << 24;
 constexpr std::size_t maxPhotographs = 64;
 constexpr int defaultSide = 256, mostSide = 16384;
 
@@ -63,15 +64,66 @@ void readLight(const JsonObject& json, const std::filesystem::path& folder, Ligh
   }
 }
 
-Image linearImage(const std::filesystem::path& path, std::vector<std::string>& warnings) {
-  const std::string suffix = lowerCase(path.extension().string());
-  if (suffix == ".png" || suffix == ".jpg" || suffix == ".jpeg")
-    throw Error(path.string() +
-                ": found a PNG or JPEG image, which is not linear, expected a linear image (.exr or .hdr); develop the "
-                "camera's raw file without a tone curve");
+/// The exponent of a member "gamma"; 0: the sRGB curve.
+double gammaOf(const JsonObject& json) {
+  const char* expected = "a number from 1 to 4, or \"sRGB\"";
+  const nlohmann::json& gamma = json.member("gamma", expected);
+  if (gamma == "sRGB") return 0;
+  if (!gamma.is_number() || !(gamma.get<double>() >= 1 && gamma.get<double>() <= 4)) json.fail("gamma", expected);
+  return gamma.get<double>();
+}
+
+/// A PNG or JPEG image, linear by the stated gamma.
+Image decodedImage(const std::filesystem::path& path, double gamma) {
+  Image image = io::readEncodedImage(path);
+  for (glm::vec3& pixel : image.pixels)
+    for (int channel = 0; channel < 3; ++channel)
+      pixel[channel] = float(gamma == 0 ? fromSrgb(pixel[channel]) : std::pow(double(pixel[channel]), gamma));
+  return image;
+}
+
+Image linearImage(const JsonObject& json, const std::filesystem::path& path, const GivenImages& given,
+                  std::vector<std::string>& warnings) {
+  if (const auto found = given.find(json.text("file")); found != given.end()) return found->second;
+  const std::string suffix = lowerCase(path.extension().string()), name = path.filename().string();
+  if (suffix == ".png" || suffix == ".jpg" || suffix == ".jpeg") {
+    if (!json.contains("gamma"))
+      throw Error(path.string() +
+                  ": found a PNG or JPEG image, which is not linear, expected a linear image (.exr or .hdr), or the "
+                  "member \"gamma\"; better develop the camera's raw file without a tone curve");
+    const double gamma = gammaOf(json);
+    warnings.push_back(name + ": converted to linear values by " +
+                       (gamma == 0 ? std::string("the sRGB curve") : "a gamma of " + shortText(gamma)) +
+                       "; the tone curve of a camera is another one, so that colours and highlights may be wrong");
+    return decodedImage(path, gamma);
+  }
+  if (json.contains("gamma")) json.fail("gamma", "no gamma: EXR and Radiance HDR images are linear");
   io::ImageFile file = io::readImageFile(path);
-  for (const std::string& note : file.notes) warnings.push_back(path.filename().string() + ": " + note);
+  for (const std::string& note : file.notes) warnings.push_back(name + ": " + note);
   return std::move(file.image);
+}
+
+GreyPatch greyPatchOf(const JsonObject& json) {
+  GreyPatch patch;
+  patch.reflectance = json.number("reflectance", 0.01, 1);
+  if (json.contains("position")) patch.position = numbersOf(json, "position");
+  if (json.contains("sphere")) {
+    json.expectOnly({"sphere", "reflectance", "position"});
+    const JsonObject disc = json.object("sphere");
+    disc.expectOnly({"x", "y", "radius"});
+    patch.sphere = {disc.number("x", 0, mostSide), disc.number("y", 0, mostSide),
+                    disc.number("radius", matching::minDiscRadius, mostSide)};
+    return patch;
+  }
+  json.expectOnly({"x", "y", "width", "height", "normal", "reflectance", "position"});
+  patch.x = json.number("x", 0, mostSide);
+  patch.y = json.number("y", 0, mostSide);
+  patch.width = json.number("width", 1, mostSide);
+  patch.height = json.number("height", 1, mostSide);
+  const Direction normal = numbersOf(json, "normal");
+  if (!(glm::length(normal) > 0)) json.fail("normal", "a direction, not [0, 0, 0]");
+  patch.normal = glm::normalize(normal);
+  return patch;
 }
 
 matching::Disc discIn(const JsonObject& json, const Photograph& photograph, const glm::ivec2& size) {
@@ -89,36 +141,62 @@ matching::Disc discIn(const JsonObject& json, const Photograph& photograph, cons
           disc.number("radius", matching::minDiscRadius, std::max(size.x, size.y))};
 }
 
-/// Reads one entry of "images".
-void readPhotograph(const JsonObject& json, const std::filesystem::path& folder, bool reads,
-                    PhotographDescription& result) {
-  json.expectOnly({"file", "camera", "sphere", "lights", "clip", "width", "height"});
+/// An entry of "images" or "candidates".
+struct Entry {
+  std::filesystem::path file;
+  glm::ivec2 size{0};
   Photograph photograph;
-  const std::filesystem::path file = folder / json.text("file");
-  photograph.name = file.filename().string();
+};
+
+/// @param reads whether to read the image.
+Entry readPhotograph(const JsonObject& json, const std::filesystem::path& folder, bool reads, const GivenImages& given,
+                     std::vector<std::string>& warnings) {
+  json.expectOnly({"file", "camera", "sphere", "lights", "clip", "width", "height", "gamma", "greyPatch"});
+  Entry entry{.file = folder / json.text("file"), .photograph = {}};
+  Photograph& photograph = entry.photograph;
+  photograph.name = entry.file.filename().string();
   photograph.camera = cameraOf(json.object("camera"));
   const nlohmann::json& lights = json.array("lights");
   for (std::size_t i = 0; i < lights.size(); ++i)
     readLight(JsonObject(lights[i], json.place("lights[" + std::to_string(i) + "]")), folder, photograph.light);
   if (lights.empty()) json.fail("lights", "at least one light");
-  glm::ivec2 size(int(optionalNumber(json, "width", 16, mostSide, defaultSide)),
-                  int(optionalNumber(json, "height", 16, mostSide, defaultSide)));
+  entry.size = {int(optionalNumber(json, "width", 16, mostSide, defaultSide)),
+                int(optionalNumber(json, "height", 16, mostSide, defaultSide))};
   if (reads) {
-    photograph.image = linearImage(file, result.set.warnings);
-    size = {photograph.image.width, photograph.image.height};
+    photograph.image = linearImage(json, entry.file, given, warnings);
+    entry.size = {photograph.image.width, photograph.image.height};
   }
-  photograph.disc = discIn(json, photograph, size);
+  photograph.disc = discIn(json, photograph, entry.size);
   const matching::Disc& disc = photograph.disc;
-  if (disc.x < 0 || disc.y < 0 || disc.x > size.x || disc.y > size.y || disc.radius < matching::minDiscRadius)
+  if (disc.x < 0 || disc.y < 0 || disc.x > entry.size.x || disc.y > entry.size.y ||
+      disc.radius < matching::minDiscRadius)
     json.fail("sphere", "an outline with its centre in the image and a radius of at least 8 pixels");
   if (reads) photograph.clip = clippedFrom(photograph.image, photograph.disc);
+  if (reads && json.contains("gamma")) photograph.clip = std::min(photograph.clip, 1.0);  // the largest stored value
   if (json.contains("clip")) photograph.clip = json.number("clip", 0, JsonObject::maxOfTriple);
-  if (reads && !json.contains("clip") && std::isfinite(photograph.clip))
-    result.set.warnings.push_back(photograph.name + ": many pixels have the largest value, " +
-                                  numberText(photograph.clip) + "; they count as clipped and are not used");
-  result.files.push_back(file);
-  result.sizes.push_back(size);
-  result.set.photographs.push_back(std::move(photograph));
+  if (reads && !json.contains("clip") && !json.contains("gamma") && std::isfinite(photograph.clip))
+    warnings.push_back(photograph.name + ": many pixels have the largest value, " + numberText(photograph.clip) +
+                       "; they count as clipped and are not used");
+  return entry;
+}
+
+/// Divides all images by the exposure that grey patches show. @param exposures of each.
+void applyExposure(const std::vector<Rgb>& exposures, PhotographSet& set) {
+  Rgb sum(0), least = exposures[0], most = exposures[0];
+  for (const Rgb& exposure : exposures) {
+    sum += glm::log(exposure) / double(exposures.size());
+    least = glm::min(least, exposure);
+    most = glm::max(most, exposure);
+  }
+  constexpr double like = 1.05;
+  if (maxChannel(most / least) > like)
+    set.warnings.push_back("the grey patches of the images show exposures that differ by up to " +
+                           shortText(100 * (maxChannel(most / least) - 1), 2) + " %; their mean is used");
+  set.exposure = glm::exp(sum);
+  for (Photograph& photograph : set.photographs) {
+    for (glm::vec3& pixel : photograph.image.pixels) pixel /= glm::vec3(set.exposure);
+    photograph.clip /= maxChannel(set.exposure);
+  }
 }
 
 }  // namespace
@@ -149,12 +227,13 @@ double clippedFrom(const Image& image, const matching::Disc& disc) {
                                                               : std::numeric_limits<double>::infinity();
 }
 
-PhotographDescription parseDescription(const std::string& text, const std::filesystem::path& folder, bool images) {
+PhotographDescription parseDescription(const std::string& text, const std::filesystem::path& folder, bool images,
+                                       const GivenImages& given) {
   const nlohmann::json json = io::parseJson(text);
   const JsonObject root(json, "");
   if (root.text("format") != "gonio photographs") root.fail("format", "\"gonio photographs\"");
   if (root.number("version", 1, 1e6) != 1) root.fail("version", "1, the only version that this program reads");
-  root.expectOnly({"format", "version", "exposure", "images"});
+  root.expectOnly({"format", "version", "exposure", "images", "candidates"});
   PhotographDescription result;
   if (root.contains("exposure")) {
     const std::string exposure = root.text("exposure");
@@ -163,8 +242,31 @@ PhotographDescription parseDescription(const std::string& text, const std::files
   }
   const nlohmann::json& list = root.array("images");
   if (list.empty() || list.size() > maxPhotographs) root.fail("images", "1 to 64 images");
-  for (std::size_t i = 0; i < list.size(); ++i)
-    readPhotograph(JsonObject(list[i], "images[" + std::to_string(i) + "]"), folder, images, result);
+  std::vector<Rgb> exposures;
+  const bool isStatedKnown = root.contains("exposure") && result.set.exposureKnown;
+  bool hasPatch = false;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const JsonObject image(list[i], "images[" + std::to_string(i) + "]");
+    Entry entry = readPhotograph(image, folder, images, given, result.set.warnings);
+    if (image.contains("greyPatch")) {
+      const GreyPatch patch = greyPatchOf(image.object("greyPatch"));
+      if (isStatedKnown) root.fail("exposure", "\"unknown\", or no exposure, beside a grey patch, which shows it");
+      hasPatch = true;
+      if (images) exposures.push_back(exposureOf(entry.photograph, patch, result.set.warnings));
+    }
+    result.files.push_back(std::move(entry.file));
+    result.sizes.push_back(entry.size);
+    result.set.photographs.push_back(std::move(entry.photograph));
+  }
+  if (hasPatch) result.set.exposureKnown = true;
+  if (!exposures.empty()) applyExposure(exposures, result.set);
+  if (!root.contains("candidates")) return result;
+  const nlohmann::json& candidates = root.array("candidates");
+  if (candidates.size() > maxPhotographs) root.fail("candidates", "at most 64 images");
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    result.candidates.push_back(readPhotograph(JsonObject(candidates[i], "candidates[" + std::to_string(i) + "]"),
+                                               folder, false, given, result.set.warnings)
+                                    .photograph);
   return result;
 }
 

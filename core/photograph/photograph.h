@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +43,9 @@ struct PhotographSet {
   std::vector<Photograph> photographs;
   /// Whether a pixel's value is a radiance in the unit of the light; otherwise, all have a common unknown factor.
   bool exposureKnown = true;
+  /// The factors by which grey patches show that the pixel values of the files differ from radiances; the images have
+  /// been divided by it. 1 without grey patches.
+  Rgb exposure{1};
   std::vector<std::string> warnings;  ///< what was found, for people: clipped pixels, notes of the image readers
 };
 
@@ -57,13 +62,21 @@ struct PhotographDescription {
   PhotographSet set;
   std::vector<std::filesystem::path> files;  ///< of the images
   std::vector<glm::ivec2> sizes;             ///< of the images to render, pixels; 256 x 256 if not stated
+  std::vector<Photograph> candidates;        ///< for the next image (photograph_plan.h), without images
 };
+
+using GivenImages = std::map<std::string, Image>;
+
+/// Larger files are no descriptions.
+inline constexpr std::uint64_t maxDescriptionBytes = std::uint64_t(1) << 24;
 
 /// Reads a JSON description (docs/photographs.md has the format). @param images whether to read the images.
 /// @param folder base of relative paths.
-/// @throws Error that names the member or the image file, what was found and what was expected: PNG and JPEG files,
-/// which are not linear, an outline outside of the image, no light, a camera inside the sphere.
-PhotographDescription parseDescription(const std::string& text, const std::filesystem::path& folder, bool images);
+/// @throws Error that names the member or the image file, what was found and what was expected: PNG and JPEG files
+/// without a stated gamma, an outline outside of the image, no light, a camera inside the sphere.
+/// @param given linear images that stand for files, by the text of the member "file".
+PhotographDescription parseDescription(const std::string& text, const std::filesystem::path& folder, bool images,
+                                       const GivenImages& given = {});
 /// The same from a file, which errors name.
 PhotographDescription readDescription(const std::filesystem::path& path, bool images = true);
 

@@ -9,6 +9,7 @@
 
 #include "core/brdf/data_transform.h"
 #include "core/math/parallel.h"
+#include "core/photograph/pixel_model.h"
 #include "core/support/text.h"
 
 namespace gonio::photograph {
@@ -19,61 +20,6 @@ namespace {
 
 constexpr Index channelCount = 3;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-/// Pixel values and their derivatives at given coefficients.
-struct Linearisation {
-  MatrixX3d values;                  ///< rows x channels
-  std::array<MatrixXd, 3> jacobian;  ///< by the coefficients: rows x components
-};
-
-Linearisation linearised(const PhotographPrior& prior, const PixelRows& rows, const MatrixX3d& coefficients,
-                         const TaskControl& control) {
-  std::vector<glm::vec3> slopes;
-  const std::vector<glm::vec3> values = cellValues(prior, coefficients, &slopes);
-  const Index count = Index(rows.count()), components = prior.d.cols();
-  Linearisation result;
-  result.values.resize(count, channelCount);
-  for (MatrixXd& of : result.jacobian) of.resize(count, components);
-  parallelForBlocks(
-      rows.count(), 16,
-      [&](std::size_t begin, std::size_t end) {
-        std::array<Eigen::RowVectorXf, 3> sums;
-        for (std::size_t row = begin; row < end; ++row) {
-          Rgb value(0);
-          for (auto& sum : sums) sum.setZero(components);
-          for (std::size_t n = rows.first[row]; n < rows.first[row + 1]; ++n) {
-            const std::uint32_t cell = rows.cells[n];
-            value += Rgb(rows.weights[n] * values[cell]);
-            const glm::vec3 factor = rows.weights[n] * slopes[cell];
-            const auto d = prior.d.row(Index(cell));
-            sums[0] += factor.x * d;
-            sums[1] += factor.y * d;
-            sums[2] += factor.z * d;
-          }
-          for (Index channel = 0; channel < channelCount; ++channel) {
-            result.values(Index(row), channel) = value[int(channel)];
-            result.jacobian[std::size_t(channel)].row(Index(row)) = sums[std::size_t(channel)].cast<double>();
-          }
-        }
-      },
-      control);
-  return result;
-}
-
-MatrixX3d pixelValues(const PhotographPrior& prior, const PixelRows& rows, const MatrixX3d& coefficients) {
-  const std::vector<Rgb> values = rows.values(cellValues(prior, coefficients));
-  MatrixX3d result(Index(values.size()), channelCount);
-  for (std::size_t row = 0; row < values.size(); ++row)
-    for (int channel = 0; channel < 3; ++channel) result(Index(row), channel) = values[row][channel];
-  return result;
-}
-
-/// Every n-th row, so that at most `most` remain.
-std::vector<std::size_t> someOf(std::size_t count, std::size_t most) {
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0, n = std::min(count, most); i < n; ++i) chosen.push_back(i * count / n);
-  return chosen;
-}
 
 PixelRows rowsAt(const PixelRows& rows, const std::vector<std::size_t>& chosen) {
   PixelRows result;
@@ -102,16 +48,11 @@ struct Problem {
 
   Index components() const { return prior.d.cols(); }
   double exposure(const VectorXd& x) const { return exposureKnown ? 1 : std::exp(x[x.size() - 1]); }
-  /// Inverse variances of pixel values, times `share`: of their noise, and of what the model does not explain.
-  MatrixX3d weights(double modelNoise) const {
-    constexpr double ofMean = 0.05;  // dark pixels are not more accurate than this part of the mean
-    MatrixX3d variances = noise;
-    for (Index channel = 0; channel < channelCount; ++channel) {
-      const double base = ofMean * data.col(channel).cwiseAbs().mean();
-      variances.col(channel).array() +=
-          (modelNoise * (data.col(channel).array().abs() + base)).square() + std::numeric_limits<double>::min();
-    }
-    return share * variances.cwiseInverse();
+  MatrixX3d weights(double modelNoise) const { return pixelWeights(data, noise, modelNoise, share); }
+  /// The energy of the data relative to that of differences beyond noise, which is at least a tenth of them; dB.
+  double unexplainedSnr(const MatrixX3d& differences) const {
+    const double energy = differences.squaredNorm();
+    return 10 * std::log10(data.squaredNorm() / std::max(energy - noise.sum(), 0.1 * energy));
   }
   /// Twice the negative logarithm of the probability of x = mean + G w, up to a constant.
   double cost(const VectorXd& x, const VectorXd& w, const MatrixX3d& weights) const {
@@ -127,7 +68,7 @@ struct Quadratic {
   VectorXd slope;      ///< J^T W (data - values)
   double energy = 0;   ///< (data - values)^T W (data - values)
 
-  Quadratic(const Problem& problem, const Linearisation& at, const VectorXd& about, const MatrixX3d& weights)
+  Quadratic(const Problem& problem, const PixelLinearisation& at, const VectorXd& about, const MatrixX3d& weights)
       : x(about), curvature(MatrixXd::Zero(about.size(), about.size())), slope(VectorXd::Zero(about.size())) {
     const Index components = problem.components(), last = about.size() - 1;
     const double exposure = problem.exposure(about);
@@ -179,7 +120,7 @@ struct State {
   std::size_t bandwidth = 2;  ///< in triedBandwidths
   double modelNoise = 0.04;
   VectorXd w, x;
-  Linearisation at;
+  PixelLinearisation at;
 };
 
 /// Steps of Gauss and Newton with a fixed prior and noise. A step is shortened until it lowers the cost.
@@ -336,6 +277,18 @@ class InputChecks {
     return prior_.factor.transpose() * result;
   }
 
+  /// J G w.
+  MatrixX3d modelled(const VectorXd& w) const {
+    const Index components = problem_.components();
+    const VectorXd step = prior_.factor * w;
+    MatrixX3d result(predicted_.rows(), channelCount);
+    for (Index channel = 0; channel < channelCount; ++channel)
+      result.col(channel) =
+          problem_.exposure(x_) * (at_.jacobian[std::size_t(channel)] * step.segment(channel * components, components));
+    if (!problem_.exposureKnown) result += step[step.size() - 1] * predicted_;
+    return result;
+  }
+
   /// The estimate of a number of which the derivative of the pixel values is q, with a flat prior: the photographs have
   /// the covariance W^-1 + J G G^T J^T.
   InputCheck check(const char* name, const MatrixX3d& q, double noticeable) const {
@@ -345,8 +298,12 @@ class InputChecks {
     InputCheck result{.property = name};
     if (!(information > 0)) return result;
     result.estimate = agreement / information;
-    result.deviation = 1 / std::sqrt(information);
-    result.evidence = 0.5 * agreement * agreement / information;
+    // A material that stays unexplained with the estimated difference, too, is another one than the prior expects.
+    const MatrixX3d shifted = fromMean_ - result.estimate * q;
+    const MatrixX3d left = shifted - modelled(solution_.normal.solve(projected(shifted)));
+    const double widened = std::max(1.0, widening(problem_.unexplainedSnr(left), set_.photographs.size()));
+    result.deviation = widened / std::sqrt(information);
+    result.evidence = 0.5 * agreement * agreement / information / (widened * widened);
     constexpr double significant = 4.5;  // three deviations
     result.isSuspicious = result.evidence >= significant && std::abs(result.estimate) > noticeable;
     return result;
@@ -358,7 +315,7 @@ class InputChecks {
   Problem problem_;
   const LocalPrior& prior_;
   const VectorXd& x_;
-  Linearisation at_;
+  PixelLinearisation at_;
   MatrixX3d weights_;
   Solution solution_;
   MatrixX3d predicted_, fromMean_;
@@ -373,7 +330,7 @@ std::vector<std::size_t> insideOf(const PhotographSet& set, const std::vector<Re
     const matching::Disc& disc = set.photographs[regions[row].photograph].disc;
     if (glm::length(regions[row].centre - glm::dvec2(disc.x, disc.y)) < inside * disc.radius) all.push_back(row);
   }
-  for (const std::size_t i : someOf(all.size(), most)) chosen.push_back(all[i]);
+  for (const std::size_t i : evenlySpaced(all.size(), most)) chosen.push_back(all[i]);
   return chosen;
 }
 
@@ -394,6 +351,13 @@ std::string warningOf(const std::vector<InputCheck>& checks) {
 
 }  // namespace
 
+double widening(double unexplainedSnr, std::size_t images) {
+  // The regression of the logarithm (docs/results/photographs.md), within the residuals that it had.
+  constexpr double lowest = 10, highest = 40, atZero = 0.956, perDecibel = 0.0315, ofImages = 0.4;
+  return std::exp(atZero - perDecibel * std::clamp(unexplainedSnr, lowest, highest)) *
+         std::pow(double(images), ofImages);
+}
+
 PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set, std::size_t maxRegions,
                              const TaskControl& control) {
   PhotographFit result;
@@ -401,12 +365,9 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   const PixelRows rows = assembleRows(prior.mapping, set, result.regions, 0, control.between(0, 0.2));
   Problem problem{.prior = prior, .rows = rows, .data = {}, .noise = {}, .exposureKnown = set.exposureKnown};
   readRegions(result.regions, problem.data, problem.noise);
-  // Errors of the model, such as what no combination of training materials can represent, are alike in neighbouring
-  // regions: all regions of a photograph together count as so many independent ones.
-  constexpr double independentRegions = 25;
-  problem.share = std::min(1.0, independentRegions * double(set.photographs.size()) / double(rows.count()));
+  problem.share = sharedInformation(set.photographs.size(), rows.count());
   constexpr std::size_t comparedRows = 200;
-  const std::vector<std::size_t> some = someOf(rows.count(), comparedRows);
+  const std::vector<std::size_t> some = evenlySpaced(rows.count(), comparedRows);
   const auto images = signalImages(prior, rowsAt(rows, some), control.between(0.2, 0.4));
   const MatrixX3d someData = rowsOf(problem.data, some);
   const MatrixX3d distances = signalDistances(images, someData, rowsOf(problem.noise, some), set.exposureKnown);
@@ -433,8 +394,11 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   const LocalPrior& last = priors[state.bandwidth];
   const Quadratic quadratic(problem, state.at, state.x, problem.weights(state.modelNoise));
   const Solution solution = solved(quadratic, last);
+  const MatrixX3d unexplained = problem.data - problem.exposure(state.x) * state.at.values;
+  result.unexplainedSnr = problem.unexplainedSnr(unexplained);
+  result.widening = widening(result.unexplainedSnr, set.photographs.size());
   // With N = L L^T the inverse of the covariance of w, that of x has the factor G L^-T.
-  const MatrixXd factor = solution.normal.matrixU().solve<Eigen::OnTheRight>(last.factor);
+  const MatrixXd factor = result.widening * solution.normal.matrixU().solve<Eigen::OnTheRight>(last.factor);
   const MatrixX3d coefficients = coefficientsOf(state.x, components);
   for (Index channel = 0; channel < channelCount; ++channel) {
     const auto c = std::size_t(channel);
@@ -486,7 +450,8 @@ std::vector<glm::vec3> deviations(const dictionary::PrincipalComponents& basis, 
           const Eigen::VectorXf squares =
               (u.middleRows(Index(begin), Index(end - begin)) * factors[channel]).rowwise().squaredNorm();
           for (std::size_t i = begin; i < end; ++i)
-            result[i][int(channel)] = std::sqrt(squares[Index(i - begin)] + leftOut[i - begin]);
+            result[i][int(channel)] =
+                std::sqrt(squares[Index(i - begin)] + float(fit.widening * fit.widening) * leftOut[i - begin]);
         }
       },
       control);

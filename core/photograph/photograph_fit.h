@@ -18,7 +18,7 @@ inline constexpr std::size_t defaultRegions = 600;
 struct InputCheck {
   std::string property;  ///< "exposure", "gamma", "outline x", "outline y", "outline radius" or "rotation"
   double estimate = 0;   ///< difference from the stated value: of a logarithm (exposure, gamma), in pixels, or in rad
-  double deviation = 0;  ///< posterior standard deviation of the estimate
+  double deviation = 0;  ///< posterior standard deviation of the estimate, at least that (widening())
   double evidence = 0;   ///< half the squared ratio of estimate and deviation: the gain of log likelihood
   bool isSuspicious = false;  ///< whether the estimate is significant and large enough to matter
 };
@@ -31,6 +31,11 @@ struct PhotographFit {
   std::array<Eigen::MatrixXd, 3> posteriorFactors;
   double bandwidth = 0;   ///< h of the local ridge; infinite: all training signals have the same weight
   double modelNoise = 0;  ///< relative standard deviation of a pixel value that the model does not explain
+  /// 10 log10 of the energy of all regions relative to that of their differences from `predicted` beyond noise, dB.
+  double unexplainedSnr = 0;
+  /// Factor of the posterior standard deviations that `posteriorFactors`, `exposureDeviation` and deviations() include,
+  /// widening().
+  double widening = 1;
   std::vector<Region> regions;
   std::vector<Rgb> predicted;  ///< pixel values of the regions
   /// 10 log10 of the energy of the regions relative to that of their differences from `predicted`, dB, per photograph.
@@ -39,6 +44,12 @@ struct PhotographFit {
   std::vector<InputCheck> checks;
   std::vector<std::string> warnings;  ///< one sentence each, for people
 };
+
+/// How many times larger than the posterior standard deviations the errors of mapped values are, in the median over
+/// training materials that were left out of the prior, for PhotographFit::unexplainedSnr. A material that the
+/// components cannot represent in the pixels differs from them in other directions, too. More images reduce the
+/// posterior deviations more than the errors, as what the components cannot represent is alike in all.
+double widening(double unexplainedSnr, std::size_t images);
 
 /// The most likely material given photographs, and its uncertainty: a Gaussian prior over the coefficients of the
 /// principal components, weighted toward training materials that would look like the photographs (as

@@ -19,6 +19,12 @@ struct PhotographPrior {
   RowMatrix d;           ///< U Sigma: cells x components
   Eigen::VectorXd singularValues;
   Eigen::MatrixXd v;  ///< coefficients of the training signals: signals x components
+
+  std::size_t trainingCount() const { return std::size_t(v.rows()) / 3; }
+  /// Components x channels.
+  Eigen::MatrixX3d trainingCoefficients(std::size_t material) const {
+    return v.middleRows(3 * Eigen::Index(material), 3).transpose();
+  }
 };
 
 /// Number of components in use by default.
@@ -33,6 +39,9 @@ PhotographPrior photographPrior(const dictionary::PrincipalComponents& basis,
 /// derivatives by the mapped value.
 std::vector<glm::vec3> cellValues(const PhotographPrior& prior, const Eigen::MatrixX3d& coefficients,
                                   std::vector<glm::vec3>* slopes = nullptr);
+
+/// A training material as the components represent it, on the grid of the prior.
+std::shared_ptr<const TabulatedBrdf> trainingTable(const PhotographPrior& prior, std::size_t material);
 
 /// Logarithms of the pixel values of the training signals, for the light of each channel: [channel](row, signal).
 std::array<Eigen::MatrixXd, 3> signalImages(const PhotographPrior& prior, const PixelRows& rows,

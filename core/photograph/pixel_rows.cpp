@@ -73,15 +73,6 @@ Region emptyRegion(const Square& square, const matching::Disc& disc, std::size_t
   return region;
 }
 
-bool isUsable(const Photograph& photograph, int x, int y) {
-  const Image& image = photograph.image;
-  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return false;
-  const glm::vec3& pixel = image.at(x, y);
-  for (int c = 0; c < 3; ++c)
-    if (!std::isfinite(pixel[c]) || !(double(pixel[c]) < photograph.clip)) return false;
-  return true;
-}
-
 /// Sets value and variance. @return whether all but a few pixels are usable.
 bool readPixels(const Photograph& photograph, const Square& square, Region& region) {
   Rgb sum(0), squares(0);
@@ -107,11 +98,35 @@ bool readPixels(const Photograph& photograph, const Square& square, Region& regi
   return true;
 }
 
+/// The number of regions of each photograph.
+std::size_t regionsOfEach(const PhotographSet& set, std::size_t most) {
+  return std::max<std::size_t>(1, most / std::max<std::size_t>(1, set.photographs.size()));
+}
+
 }  // namespace
+
+bool isUsable(const Photograph& photograph, int x, int y) {
+  const Image& image = photograph.image;
+  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return false;
+  const glm::vec3& pixel = image.at(x, y);
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(pixel[c]) || !(double(pixel[c]) < photograph.clip)) return false;
+  return true;
+}
+
+std::vector<Region> plannedRegions(const PhotographSet& set, std::size_t most) {
+  std::vector<Region> regions;
+  for (std::size_t i = 0; i < set.photographs.size(); ++i) {
+    const matching::Disc& disc = set.photographs[i].disc;
+    for (const Square& square : squaresOf(disc, sideFor(disc, regionsOfEach(set, most))))
+      regions.push_back(emptyRegion(square, disc, i));
+  }
+  return regions;
+}
 
 std::vector<Region> regionsOf(const PhotographSet& set, std::size_t most) {
   std::vector<Region> regions;
-  const std::size_t each = std::max<std::size_t>(1, most / std::max<std::size_t>(1, set.photographs.size()));
+  const std::size_t each = regionsOfEach(set, most);
   for (std::size_t i = 0; i < set.photographs.size(); ++i) {
     const Photograph& photograph = set.photographs[i];
     bool found = false;
@@ -272,6 +287,14 @@ class SphereView {
   matching::Disc disc_;
   double distance_, tangent_;
 };
+
+}  // namespace
+
+Direction normalAt(const Photograph& photograph, const glm::dvec2& pixel) {
+  return SphereView(photograph).at(pixel).normal;
+}
+
+namespace {
 
 /// The row of one region: weights of all cells in a dense array, and the cells in use.
 class RowBuilder {

@@ -31,6 +31,15 @@ struct Region {
 /// all are 0.
 std::vector<Region> regionsOf(const PhotographSet& set, std::size_t most);
 
+/// The same squares of images that are still to be taken: values and variances are 0.
+std::vector<Region> plannedRegions(const PhotographSet& set, std::size_t most);
+
+/// Whether a pixel is inside the image, finite, and not clipped.
+bool isUsable(const Photograph& photograph, int x, int y);
+
+/// The normal (world, unit) of the sphere at the point that a place of the image shows, inside the outline.
+Direction normalAt(const Photograph& photograph, const glm::dvec2& pixel);
+
 /// Pixel values as linear functionals of a BRDF table: the value of row r in channel c is the sum of weights[n][c]
 /// times the table's value in cell cells[n], over n from first[r] to first[r + 1].
 struct PixelRows {

@@ -54,6 +54,7 @@ void bindNeural(py::module_& module);
 void bindTraining(py::module_& module);
 void bindAcquisition(py::module_& module);
 void bindFactorMeasurement(py::module_& module);
+void bindPhotographs(py::module_& module);
 void bindPictures(py::module_& module);
 
 }  // namespace gonio::python

@@ -45,5 +45,6 @@ PYBIND11_MODULE(_core, module) {
   bindTraining(module);
   bindAcquisition(module);
   bindFactorMeasurement(module);
+  bindPhotographs(module);
   bindPictures(module);
 }

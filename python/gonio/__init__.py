@@ -45,6 +45,7 @@ from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit
 from ._acquisition import (Basis, Plan, Readings, Reconstruction, SeparatedBasis, bundled_basis, learn_atoms, learn_basis,
                            learn_separated_basis, measure, open_basis, open_plan, plan, reconstruct, separate)
 from ._factor_measurement import (FactorPlan, FactorPrediction, open_factor_readings, plan_factors, predict_from_factors)
+from ._photographs import ImagePlan, ImageReconstruction, InputCheck, from_images, plan_images
 from ._pictures import (Comparison, Effect, Export, Record, Target, compare, effects, export, render, scenes, study, targets)
 
 __all__ = [
@@ -64,6 +65,8 @@ __all__ = [
     "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "learn_atoms", "open_basis", "separate",
     "learn_separated_basis", "SeparatedBasis", "Plan", "Readings",
     "Reconstruction", "Basis",
+    # Photographs
+    "from_images", "plan_images", "ImageReconstruction", "ImagePlan", "InputCheck",
     # Images, studies, exports
     "render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison", "Effect", "Record", "Export",
     "Target",

@@ -5,13 +5,18 @@
 // (data/renderings in SHARED, the folder of the development data), without the material and its copies in the prior.
 // Prints a row per material and method: rendered SNR against the RGL file under the light of the picture and under
 // other light, dB; then the medians.
+// gonio_studies photographs SHARED --uncertainty [MATERIAL ...]: errors beside stated deviations alone.
 // gonio_studies photographs SHARED --wrong [MATERIAL ...]: what is reported of wrong input: a shifted outline, a
 // rotated environment, a wrong and an unknown exposure, clipped pixels, and pixels that are not linear.
+// gonio_studies photographs SHARED --calibration [COUNT]: errors beside stated deviations of training materials that
+// are left out of the prior, an eighth of them at a time, each from a picture, or four, by Gonio under a bundled
+// environment.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <map>
 
 #include "core/brdf/data_transform.h"
@@ -60,12 +65,18 @@ Training loadTraining() {
   return training;
 }
 
-dictionary::PrincipalComponents basisWithout(const Training& training, const std::string& left, int components) {
+dictionary::PrincipalComponents basisWithout(const Training& training,
+                                             const std::function<bool(std::size_t material)>& isLeft, int components) {
   std::vector<std::size_t> kept;
   for (std::size_t m = 0; m < training.names.size(); ++m)
-    if (training.names[m] != left) kept.push_back(m);
+    if (!isLeft(m)) kept.push_back(m);
   return dictionary::learnPrincipalComponents(kept.size(), [&](std::size_t m) { return training.tables[kept[m]]; },
                                               {.maxComponents = components});
+}
+
+dictionary::PrincipalComponents basisWithout(const Training& training, const std::string& left, int components) {
+  return basisWithout(
+      training, [&](std::size_t m) { return training.names[m] == left; }, components);
 }
 
 /// The lights under which materials are compared, with the names of their columns.
@@ -96,24 +107,26 @@ Views viewsOf(const std::filesystem::path& shared, const Brdf& truth) {
 }
 
 /// The fraction of the channels of the cells of which the error is less than the deviation.
-/// @param ratio receives the root mean square of error / deviation.
+/// @param quantile receives the factor of the deviations with which it would be 0.683.
 double coverage(const dictionary::PrincipalComponents& basis, const photograph::PhotographFit& fit,
-                const TabulatedBrdf& truth, const TabulatedBrdf& found, double& ratio) {
+                const TabulatedBrdf& truth, const TabulatedBrdf& found, double& quantile) {
   const auto deviations = photograph::deviations(basis, fit);
   const dictionary::MappedCells& m = basis.mapping;
-  double within = 0, count = 0, sum = 0;
+  std::vector<double> ratios;
+  double within = 0;
   for (std::size_t i = 0; i < m.cells.size(); ++i) {
     if (!truth.valid()[m.cells[i]]) continue;
     for (int channel = 0; channel < 3; ++channel) {
       const double error = logRelative(truth.values()[m.cells[i]][channel], m.weights[i], m.reference[i]) -
                            logRelative(found.values()[m.cells[i]][channel], m.weights[i], m.reference[i]);
       within += std::abs(error) < deviations[i][channel];
-      sum += error * error / (deviations[i][channel] * deviations[i][channel]);
-      ++count;
+      ratios.push_back(std::abs(error) / deviations[i][channel]);
     }
   }
-  ratio = std::sqrt(sum / count);
-  return within / count;
+  const auto place = ratios.begin() + std::ptrdiff_t(0.683 * double(ratios.size()));
+  std::nth_element(ratios.begin(), place, ratios.end());
+  quantile = *place;
+  return within / double(ratios.size());
 }
 
 using photograph::PixelRows, photograph::Region;
@@ -303,13 +316,14 @@ PhotographSet fourPhotographs(const std::filesystem::path& shared, const Brdf& t
   return set;
 }
 
-int reconstructions(const std::filesystem::path& shared, const std::vector<std::string>& materials) {
+/// @param isWhole whether to compare with the other methods; otherwise only errors and deviations are printed.
+int reconstructions(const std::filesystem::path& shared, const std::vector<std::string>& materials, bool isWhole) {
   const Training training = loadTraining();
   Table table;
   double sumWithin = 0;
   for (const std::string& material : materials) {
     const auto truth = test::mitsubaMaterial(shared, material);
-    const Views views = viewsOf(shared, *truth);
+    const Views views = isWhole ? viewsOf(shared, *truth) : Views{};
     const auto basis = basisWithout(training, material, photograph::defaultPhotographComponents);
     const PhotographPrior prior = photograph::photographPrior(basis);
     const auto truthTable = coarse(*meanOfOrders(bakeTable(*truth, HalfDifferenceGrid())));
@@ -322,17 +336,18 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
       const double cpu = double(std::clock() - startCpu) / CLOCKS_PER_SEC;
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       const auto found = dictionary::decode(basis, fit.code);
-      double ratio = 0;
-      const double within = coverage(basis, fit, *truthTable, *found, ratio);
+      double quantile = 0;
+      const double within = coverage(basis, fit, *truthTable, *found, quantile);
       if (!four) sumWithin += within;
       std::printf(
           "%s, %s: %.1f s (%.1f s of processor time), h %.2f, model noise %.4f, residual %.1f dB, within one "
-          "deviation %.3f, error / deviation %.2f\n",
+          "deviation %.3f, factor for 0.683 %.2f, widening %.2f, unexplained %.1f dB\n",
           material.c_str(), four ? "four images" : "one image", seconds, cpu, fit.bandwidth, fit.modelNoise,
-          fit.residualSnr[0], within, ratio);
+          fit.residualSnr[0], within, quantile, fit.widening, fit.unexplainedSnr);
       for (const std::string& warning : fit.warnings) std::printf("warning: %s\n", warning.c_str());
-      table.add(material, four ? "four photographs" : "one photograph", views, *found);
+      if (isWhole) table.add(material, four ? "four photographs" : "one photograph", views, *found);
     }
+    if (!isWhole) continue;
     const ImageData data = imageData(prior, one);
     std::string name;
     const auto near = nearest(data, prior, training, material, name);
@@ -342,7 +357,7 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
     table.add(material, "layered lobes", views, *fittedLobes(data));
     table.add(material, "reciprocal table", views, *truthTable);
   }
-  table.printMedians();
+  if (isWhole) table.printMedians();
   std::printf("\nmean fraction within one deviation, one photograph: %.3f\n", sumWithin / double(materials.size()));
   return 0;
 }
@@ -402,15 +417,102 @@ int wrongInput(const std::filesystem::path& shared, const std::vector<std::strin
   return 0;
 }
 
+/// Mean squared errors of mapped values, over cells and channels, and the variances that are stated: in the components
+/// in use, and in those that are left out.
+struct ErrorParts {
+  double inside = 0, stated = 0, outside = 0, statedOutside = 0;
+};
+
+ErrorParts errorParts(const dictionary::PrincipalComponents& basis, const photograph::PhotographFit& fit,
+                      const TabulatedBrdf& truth) {
+  const Eigen::Index components = fit.posteriorFactors[0].rows();
+  const auto projected = dictionary::encode(basis, truth, int(components));
+  const auto inSpan = dictionary::decode(basis, projected);
+  const dictionary::MappedCells& m = basis.mapping;
+  const double cells = double(m.cells.size());
+  ErrorParts parts;
+  for (std::size_t c = 0; c < 3; ++c) {
+    parts.inside += double((projected.channels[c] - fit.code.channels[c]).squaredNorm()) / (3 * cells);
+    parts.stated +=
+        (basis.svd.singularValues.head(components).asDiagonal() * fit.posteriorFactors[c]).squaredNorm() / (3 * cells);
+  }
+  for (const float variance : leftOutVariance(basis, int(components), 0, m.cells.size()))
+    parts.statedOutside += variance / cells;
+  for (std::size_t i = 0; i < m.cells.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel) {
+      const double error = logRelative(truth.values()[m.cells[i]][channel], m.weights[i], m.reference[i]) -
+                           logRelative(inSpan->values()[m.cells[i]][channel], m.weights[i], m.reference[i]);
+      parts.outside += error * error / (3 * cells);
+    }
+  return parts;
+}
+
+/// Pictures of a material by Gonio under a bundled environment, which turns by equal steps.
+PhotographSet calibrationSet(const Brdf& truth, const std::string& environment, int count) {
+  PhotographSet set;
+  for (int i = 0; i < count; ++i) {
+    rendering::Scene scene = rendering::sphereScene(rendering::openEnvironment(environment));
+    scene.environmentRotation = 2 * pi * i / count;
+    photograph::Photograph photo{
+        .name = environment,
+        .image = rendering::renderPicture(
+            truth, scene, {.width = 80, .height = 80, .samples = 32, .seed = std::uint64_t(1 + i), .density = {}}),
+        .disc = {},
+        .camera = scene.camera,
+        .light = {.environment = scene.environment, .rotation = scene.environmentRotation}};
+    photo.disc = photograph::discOf(photo.camera, photo.image.width, photo.image.height);
+    set.photographs.push_back(std::move(photo));
+  }
+  return set;
+}
+
+int calibration(std::size_t count) {
+  constexpr std::size_t folds = 8, fourOf = 3;
+  const Training training = loadTraining();
+  std::printf(
+      "| material | environment | images | h | model noise | unexplained, dB | squared error inside | stated | outside "
+      "| stated | within one deviation | factor for 0.683 | strongest check | estimate | evidence | reported |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  const std::vector<std::string> environments{"studio", "window", "sky", "sunset"};
+  for (std::size_t fold = 0; fold < folds; ++fold) {
+    const auto basis = basisWithout(
+        training, [&](std::size_t m) { return m % folds == fold; }, photograph::defaultPhotographComponents);
+    const PhotographPrior prior = photograph::photographPrior(basis);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t m = i * training.names.size() / count;
+      if (m % folds != fold) continue;
+      const std::string& environment = environments[i % environments.size()];
+      const TabulatedBrdf& truth = *training.tables[m];
+      const int images = i % fourOf == 0 ? 4 : 1;
+      const auto fit = photograph::fitPhotographs(prior, calibrationSet(truth, environment, images), 300);
+      double quantile = 0;
+      const double within = coverage(basis, fit, truth, *dictionary::decode(basis, fit.code), quantile);
+      const ErrorParts parts = errorParts(basis, fit, truth);
+      const auto& check = *std::ranges::max_element(fit.checks, {}, &photograph::InputCheck::evidence);
+      std::printf(
+          "| %s | %s | %d | %.2f | %.4f | %.1f | %.4f | %.4f | %.4f | %.4f | %.3f | %.2f | %s | %.3g | %.1f | %s |\n",
+          training.names[m].c_str(), environment.c_str(), images, fit.bandwidth, fit.modelNoise, fit.unexplainedSnr,
+          parts.inside, parts.stated, parts.outside, parts.statedOutside, within, quantile * fit.widening,
+          check.property.c_str(), check.estimate, check.evidence, check.isSuspicious ? "yes" : "no");
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}
+
 int study(int argumentCount, char** arguments) {
   if (argumentCount < 2) {
-    std::fprintf(stderr, "usage: gonio_studies photographs SHARED [--wrong] [MATERIAL ...]\n");
+    std::fprintf(
+        stderr,
+        "usage: gonio_studies photographs SHARED [--uncertainty | --wrong | --calibration] [MATERIAL ... | COUNT]\n");
     return 2;
   }
   std::vector<std::string> materials(arguments + 2, arguments + argumentCount);
-  const bool isWrong = std::erase(materials, "--wrong") > 0;
+  if (std::erase(materials, "--calibration") > 0)
+    return calibration(materials.empty() ? 48 : std::size_t(std::stoul(materials.front())));
+  const bool isWrong = std::erase(materials, "--wrong") > 0, isUncertainty = std::erase(materials, "--uncertainty") > 0;
   if (materials.empty()) materials = test::mitsubaMaterials();
-  return isWrong ? wrongInput(arguments[1], materials) : reconstructions(arguments[1], materials);
+  return isWrong ? wrongInput(arguments[1], materials) : reconstructions(arguments[1], materials, !isUncertainty);
 }
 
 }  // namespace

@@ -10,6 +10,9 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -333,6 +336,37 @@ class ImageIoTest : public QObject {
                                       'H',  'D', 'R', 0,   0,    0,    3,    0,    0, 0, 2, 8,  6};
     QVERIFY(bytes.size() > sizeof expected && std::memcmp(bytes.data(), expected, sizeof expected) == 0);
     QVERIFY(contains(errorOf([&] { io::writePng({1, 2, 3}, 3, 2, path); }), "three.png"));
+  }
+
+  /// What PNG and JPEG files store, between 0 and 1. JPEG is lossy; of one colour it is nearly exact.
+  void storedValuesOfEncodedImages() {
+    const auto path = outputPath("io/image/stored.png");
+    std::vector<unsigned char> rgba;
+    for (int i = 0; i < 6; ++i)
+      for (const int value : {i, 40 * i, 255 - i, 255}) rgba.push_back(static_cast<unsigned char>(value));
+    io::writePng(rgba, 3, 2, path);
+    const Image image = io::readEncodedImage(path);
+    QCOMPARE(image.width, 3);
+    QCOMPARE(image.height, 2);
+    for (int i = 0; i < 6; ++i) {
+      const glm::vec3 expected = glm::vec3(float(i), float(40 * i), float(255 - i)) / 255.0f;
+      QVERIFY(glm::length(image.pixels[std::size_t(i)] - expected) < 1e-6f);
+    }
+    Bytes jpeg;
+    const std::vector<unsigned char> grey(16 * 16 * 3, 100);
+    const auto collect = [](void* user, void* data, int count) {
+      const auto* begin = static_cast<const std::byte*>(data);
+      static_cast<Bytes*>(user)->insert(static_cast<Bytes*>(user)->end(), begin, begin + count);
+    };
+    QVERIFY(stbi_write_jpg_to_func(collect, &jpeg, 16, 16, 3, grey.data(), 95) != 0);
+    writeFile("io/image/grey.jpg", jpeg);
+    for (const glm::vec3& pixel : io::readEncodedImage(outputPath("io/image/grey.jpg")).pixels)
+      QVERIFY(glm::length(pixel - glm::vec3(100 / 255.0f)) < 0.02f);
+    writeFile("io/image/stored.png", bytesOf("text"));
+    QVERIFY(contains(errorOf([&] { io::readEncodedImage(path); }), "stored.png"));
+    jpeg.resize(jpeg.size() / 3);
+    writeFile("io/image/stored.png", jpeg);
+    QVERIFY(contains(errorOf([&] { io::readEncodedImage(path); }), "no PNG or JPEG"));
   }
 };
 

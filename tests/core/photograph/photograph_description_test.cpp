@@ -73,6 +73,33 @@ class PhotographDescriptionTest : public QObject {
     QVERIFY(found.set.warnings[0].find("clipped") != std::string::npos);
   }
 
+  /// The images are divided by the exposure that the card shows, for each channel.
+  void greyCardFixesTheExposure() {
+    const std::string light = quoted(", 'lights': [{'toLight': [0, 0, 1], 'irradiance': [1, 2, 4]}]");
+    const std::string card = quoted(
+        ", 'clip': 0.9, 'greyPatch': {'x': 15, 'y': 0, 'width': 1, 'height': 40, 'reflectance': 0.5, 'normal': "
+        "[0, 0, 1]}");
+    const auto found = parseDescription(description(imageWith(light + card)), folder, true);
+    const Rgb expected = 0.5 * pi / 0.5 / Rgb(1, 2, 4);  // pixels of 15 / 30, radiance 0.5 / pi times the irradiance
+    QVERIFY(glm::length(found.set.exposure - expected) < 1e-5);
+    QVERIFY(glm::length(Rgb(found.set.photographs[0].image.at(15, 3)) - 0.5 / expected) < 1e-5);
+    QVERIFY(std::abs(found.set.photographs[0].clip - 0.9 / expected.x) < 1e-5);
+    QVERIFY(found.set.exposureKnown);
+  }
+
+  void encodedImagesAreDecoded() {
+    std::vector<unsigned char> rgba(40 * 40 * 4, 188);
+    std::fill_n(rgba.begin(), 4, static_cast<unsigned char>(255));
+    io::writePng(rgba, 40, 40, folder / "encoded.png");
+    const auto valueOf = [&](const std::string& gamma) {
+      const auto found = parseDescription(description(imageWith(studio + gamma, "encoded.png")), folder, true);
+      QTest::qVerify(found.set.warnings.size() == 1, "one warning", found.set.warnings[0].c_str(), __FILE__, __LINE__);
+      return double(found.set.photographs[0].image.at(20, 20).x);
+    };
+    QVERIFY(std::abs(valueOf(quoted(", 'gamma': 2.2")) - std::pow(188 / 255.0, 2.2)) < 1e-6);
+    QVERIFY(std::abs(valueOf(quoted(", 'gamma': 'sRGB'")) - 0.5029) < 1e-3);
+  }
+
   void refusesBadInput_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("message");
@@ -83,6 +110,26 @@ class PhotographDescriptionTest : public QObject {
     row("no images", quoted("{'format': 'gonio photographs', 'version': 1, 'images': []}"), "images");
     row("PNG", description(imageWith(studio, "photograph.png")), "not linear");
     row("JPEG", description(imageWith(studio, "photograph.JPG")), "not linear");
+    row("gamma out of range", description(imageWith(studio + quoted(", 'gamma': 0.4"), "photograph.png")), "gamma");
+    row("gamma of a linear image", description(imageWith(studio + quoted(", 'gamma': 2.2"))), "gamma");
+    const std::string card =
+        quoted(", 'greyPatch': {'x': 1, 'y': 1, 'width': 2, 'height': 2, 'reflectance': 0.5, 'normal': [0, 0, 1]}");
+    row("grey patch of a known exposure",
+        quoted("{'format': 'gonio photographs', 'version': 1, 'exposure': 'known', 'images': [") +
+            imageWith(studio + card) + "]}",
+        "grey patch");
+    row("black grey patch",
+        description(imageWith(studio + quoted(", 'greyPatch': {'x': 0, 'y': 1, 'width': 1, "
+                                              "'height': 2, 'reflectance': 0.5, 'normal': "
+                                              "[0, 0, 1]}"))),
+        "black");
+    row("grey patch without reflectance",
+        description(imageWith(studio + quoted(", 'greyPatch': {'sphere': {'x': 9, 'y': 9, 'radius': 9}}"))),
+        "greyPatch.reflectance");
+    row("candidate without light",
+        description(imageWith(studio)).substr(0, description(imageWith(studio)).size() - 1) +
+            quoted(", 'candidates': [{'file': 'x.exr', 'camera': {'position': [0, 0, 4]}, 'lights': []}]}"),
+        "candidates[0].lights");
     row("no such file", description(imageWith(studio, "missing.exr")), "missing.exr");
     row("no light", description(imageWith(quoted(", 'lights': []"))), "at least one light");
     row("unknown member", description(imageWith(studio + quoted(", 'shpere': 1"))), "shpere");

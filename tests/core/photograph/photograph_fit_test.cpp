@@ -106,6 +106,8 @@ class PhotographFitTest : public QObject {
         before += training[i];
       }
     QVERIFY2(posterior < 0.25 * before, QByteArray::number(posterior / before));
+    QCOMPARE(fit.widening, widening(fit.unexplainedSnr, 1));
+    QVERIFY(fit.unexplainedSnr >= fit.residualSnr[0]);
   }
 
   /// The checks name the fault.
@@ -122,6 +124,18 @@ class PhotographFitTest : public QObject {
     QVERIFY2(std::abs(strongest->estimate + 1) < 0.5, text);
     QVERIFY2(strongest->isSuspicious, text);
     QCOMPARE(fit.warnings.size(), std::size_t(1));
+  }
+
+  /// What a material leaves unexplained widens its uncertainty, within limits.
+  void deviationsWidenWithTheResidual() {
+    double last = widening(-10, 1);
+    QCOMPARE(widening(0, 1), last);
+    QVERIFY(widening(20, 4) > widening(20, 1));
+    for (const double snr : {12.0, 20.0, 30.0, 40.0}) {
+      QVERIFY(widening(snr, 1) < last);
+      last = widening(snr, 1);
+    }
+    QCOMPARE(widening(60, 1), last);
   }
 
   void canBeCancelled() {
