@@ -129,6 +129,7 @@ void PhotographPanel::connectParts() {
   connect(&m_session, &PhotographSession::inputsChanged, m_controls, &PhotographControls::refresh);
   connect(&m_session, &PhotographSession::exported, this, &PhotographPanel::exported);
   connect(&m_session, &PhotographSession::failed, this, &PhotographPanel::failed);
+  connect(&m_acquisition.controls().training(), &TrainingRows::edited, this, &PhotographPanel::refresh);
   connect(m_controls, &PhotographControls::openRequested, this, &PhotographPanel::askForFiles);
   connect(m_controls, &PhotographControls::saveRequested, this, &PhotographPanel::askForDescription);
   connect(m_views, &PhotographViews::currentChanged, m_controls, &PhotographControls::setCurrent);

@@ -61,6 +61,8 @@ void PhotographSession::changed() {
 }
 
 void PhotographSession::install(PhotographInputs inputs) {
+  m_tasks.drop(photographLightKey);
+  m_tasks.drop(photographOutlineKey);
   m_inputs = std::move(inputs);
   changed();
 }
@@ -172,12 +174,14 @@ void PhotographSession::saveDescription(const QString& path) {
 void PhotographSession::reconstruct() {
   if (m_inputs.isEmpty()) return;
   const PhotographTraining training = m_training();
-  const bool isLearned =
-      m_learned.prior && m_learned.ids == training.ids && m_learned.materialClass == training.materialClass;
-  if (isLearned)
+  if (isLearned(training))
     fit();
   else
     learn(training);
+}
+
+bool PhotographSession::isLearned(const PhotographTraining& training) const {
+  return m_learned.prior && m_learned.ids == training.ids && m_learned.materialClass == training.materialClass;
 }
 
 void PhotographSession::learn(const PhotographTraining& training) {

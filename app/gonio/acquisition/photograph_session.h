@@ -49,8 +49,8 @@ class PhotographSession : public QObject {
   double fraction() const;
   /// Null until there is a result.
   const PhotographResultPtr& result() const { return m_result; }
-  /// Whether the inputs are those of the result.
-  bool isResultCurrent() const { return m_result && m_resultRevision == m_revision; }
+  /// Whether the result is that of the inputs and the training set.
+  bool isResultCurrent() const { return m_result && m_resultRevision == m_revision && isLearned(m_training()); }
   /// The place in the result of a photograph; nullopt if it was not part of it.
   std::optional<std::size_t> placeInResult(std::size_t index) const;
   /// Name of the result as a material: "front from 3 photographs".
@@ -80,6 +80,7 @@ class PhotographSession : public QObject {
   void changed();
   void install(PhotographInputs inputs);
   void changeLight(std::size_t index, const PhotographLight& light);
+  bool isLearned(const PhotographTraining& training) const;
   void learn(const PhotographTraining& training);
   void fit();
   void renderOther();

@@ -107,6 +107,24 @@ QString checkText(const photograph::InputCheck& check) {
       .arg(unit);
 }
 
+QStringList warningsOf(const PhotographResultPtr& result) {
+  QStringList texts;
+  if (!result) return texts;
+  // No material under the stated light looks like such a photograph.
+  constexpr double poorSnr = 10;  // dB
+  for (std::size_t i = 0; i < result->fit.residualSnr.size(); ++i)
+    if (const double snr = result->fit.residualSnr[i]; snr < poorSnr)
+      texts << PhotographViews::tr("The reconstruction explains %1 poorly: check its outline, camera and light.")
+                   .arg(result->paths[qsizetype(i)].section('/', -1));
+  for (const std::string& warning : result->fit.warnings) {
+    QString text = QString::fromStdString(warning);
+    if (text.startsWith(QLatin1String("the "))) text[0] = text[0].toUpper();
+    texts << text + '.';
+  }
+  for (QString& text : texts) text.prepend(QStringLiteral("⚠ "));
+  return texts;
+}
+
 }  // namespace
 
 PhotographViews::PhotographViews(PhotographSession& session)
@@ -302,10 +320,7 @@ QString PhotographViews::checksText() const {
 
 void PhotographViews::showResult() {
   const PhotographResultPtr& result = m_session.result();
-  QStringList warnings;
-  if (result)
-    for (const std::string& warning : result->fit.warnings)
-      warnings << QStringLiteral("⚠ ") + QString::fromStdString(warning);
+  const QStringList warnings = warningsOf(result);
   m_warnings->setText(warnings.join('\n'));
   m_warnings->setVisible(!warnings.isEmpty());
   const QString checks = checksText();
