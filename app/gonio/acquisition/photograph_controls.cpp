@@ -33,7 +33,7 @@ QWidget* pairOf(QWidget* first, QWidget* second) {
   return pair;
 }
 
-QLabel* labelOf(const QString& text, QWidget* buddy) {
+QLabel* photographLabel(const QString& text, QWidget* buddy) {
   auto* label = new QLabel(text);
   label->setBuddy(buddy);
   return label;
@@ -97,8 +97,8 @@ void PhotographControls::buildOutline(QFormLayout& form) {
   m_find = new QPushButton(tr("&Find"));
   m_find->setToolTip(tr("Finds the outline of the sphere in the image again"));
   m_find->setFixedWidth(m_radius->width());
-  form.addRow(labelOf(tr("Outline x, y"), m_x), pairOf(m_x, m_y));
-  form.addRow(labelOf(tr("Outline radius"), m_radius), pairOf(m_radius, m_find));
+  form.addRow(photographLabel(tr("Outline x, y"), m_x), pairOf(m_x, m_y));
+  form.addRow(photographLabel(tr("Outline radius"), m_radius), pairOf(m_radius, m_find));
 }
 
 void PhotographControls::buildCamera(QFormLayout& form) {
@@ -111,8 +111,8 @@ void PhotographControls::buildCamera(QFormLayout& form) {
                          pi);
   m_elevation =
       angleField(tr("Camera elevation"), tr("Elevation of the camera above the centre of the sphere"), radians(89));
-  form.addRow(labelOf(tr("Camera distance"), m_distance), pairOf(m_distance, new QWidget));
-  form.addRow(labelOf(tr("Camera angles"), m_azimuth), pairOf(m_azimuth, m_elevation));
+  form.addRow(photographLabel(tr("Camera distance"), m_distance), pairOf(m_distance, new QWidget));
+  form.addRow(photographLabel(tr("Camera angles"), m_azimuth), pairOf(m_azimuth, m_elevation));
 }
 
 void PhotographControls::buildLight(QFormLayout& form) {
@@ -124,29 +124,29 @@ void PhotographControls::buildLight(QFormLayout& form) {
   auto* row = new QHBoxLayout;
   row->addWidget(m_kind, 1);
   row->addWidget(m_useForAll);
-  form.addRow(labelOf(tr("&Light"), m_kind), row);
+  form.addRow(photographLabel(tr("&Light"), m_kind), row);
   m_environment = rowBox(tr("Environment: a bundled one, or a latitude-longitude map of radiance (EXR, HDR)"));
   for (const std::string& name : rendering::bundledEnvironmentNames())
     m_environment->addItem(sceneTitle(name), QString::fromStdString(name));
   m_environment->addItem(tr("File..."), environmentFile);
-  form.addRow(labelOf(tr("&Environment"), m_environment), m_environment);
+  form.addRow(photographLabel(tr("&Environment"), m_environment), m_environment);
   m_rotation = angleField(tr("Rotation"),
                           tr("Rotation of the environment about the vertical axis; positive angles move its middle to "
                              "the right"),
                           2 * pi);
-  form.addRow(labelOf(tr("Rotation"), m_rotation), m_rotation);
+  form.addRow(photographLabel(tr("Rotation"), m_rotation), m_rotation);
   m_lightAzimuth = angleField(tr("Light azimuth"),
                               tr("Azimuth toward the light: 0° is the side of a camera with "
                                  "azimuth 0°, positive angles are to the right"),
                               pi);
   m_lightElevation = angleField(tr("Light elevation"), tr("Elevation toward the light"), halfPi);
   m_lightDirection = pairOf(m_lightAzimuth, m_lightElevation);
-  form.addRow(labelOf(tr("Light angles"), m_lightAzimuth), m_lightDirection);
+  form.addRow(photographLabel(tr("Light angles"), m_lightAzimuth), m_lightDirection);
   m_irradiance = rowField(tr("Irradiance"),
                           tr("Irradiance by the light, perpendicular to its direction, in the unit of the image times "
                              "sr; mean of red, green and blue"),
                           0, maxIrradiance, 0.1, {});
-  form.addRow(labelOf(tr("Irradiance"), m_irradiance), m_irradiance);
+  form.addRow(photographLabel(tr("Irradiance"), m_irradiance), m_irradiance);
 }
 
 void PhotographControls::buildExposure(QFormLayout& form) {
@@ -154,7 +154,7 @@ void PhotographControls::buildExposure(QFormLayout& form) {
       rowBox(tr("Known: pixel values are radiances in the unit of the light.\n"
                 "Unknown: all photographs have a common unknown factor, which is estimated."));
   m_exposure->addItems({tr("Known"), tr("Unknown")});
-  form.addRow(labelOf(tr("E&xposure"), m_exposure), m_exposure);
+  form.addRow(photographLabel(tr("E&xposure"), m_exposure), m_exposure);
   m_ofItem = {m_remove,       m_save,           m_x,          m_y,       m_radius,      m_find,
               m_distance,     m_azimuth,        m_elevation,  m_kind,    m_environment, m_rotation,
               m_lightAzimuth, m_lightElevation, m_irradiance, m_exposure};

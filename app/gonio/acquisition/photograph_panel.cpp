@@ -207,7 +207,7 @@ void PhotographPanel::refresh() {
   m_progress->setVisible(busy);
   m_progress->setValue(int(std::lround(m_progress->maximum() * m_session.fraction())));
   m_status->setText(statusText());
-  m_views->setOpening(m_acquisition.session().isOpening());
+  m_views->setState(m_acquisition.session().isOpening(), busy);
 }
 
 void PhotographPanel::dragEnterEvent(QDragEnterEvent* event) {

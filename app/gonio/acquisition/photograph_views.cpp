@@ -49,7 +49,7 @@ namespace {
 
 constexpr int stripSide = 52;
 
-QLabel* caption() {
+QLabel* captionLabel() {
   auto* label = new QLabel;
   label->setTextFormat(Qt::PlainText);
   label->setAlignment(Qt::AlignCenter);
@@ -107,7 +107,7 @@ QString checkText(const photograph::InputCheck& check) {
       .arg(unit);
 }
 
-QStringList warningsOf(const PhotographResultPtr& result) {
+QStringList photographWarnings(const PhotographResultPtr& result) {
   QStringList texts;
   if (!result) return texts;
   // No material under the stated light looks like such a photograph.
@@ -129,8 +129,8 @@ QStringList warningsOf(const PhotographResultPtr& result) {
 
 PhotographViews::PhotographViews(PhotographSession& session)
     : m_session(session),
-      m_title(caption()),
-      m_residualTitle(caption()),
+      m_title(captionLabel()),
+      m_residualTitle(captionLabel()),
       m_warnings(paragraph("warnings")),
       m_checks(paragraph("checks")),
       m_outline(new ReferenceView),
@@ -139,7 +139,7 @@ PhotographViews::PhotographViews(PhotographSession& session)
       m_sameLight(new SphereView),
       m_otherLight(new SphereView),
       m_lights(rowBox(tr("Environment of the second sphere"))),
-      m_sameName(caption()),
+      m_sameName(captionLabel()),
       m_uncertainty(new widgets::UncertaintyCurve),
       m_open(new QPushButton(tr("Open as Mater&ial"))) {
   auto* layout = new QHBoxLayout(this);
@@ -154,7 +154,6 @@ PhotographViews::PhotographViews(PhotographSession& session)
 QLayout* PhotographViews::buildPhotograph() {
   m_outline->setAccessibleName(tr("Photograph"));
   m_outline->installEventFilter(this);
-  m_residual->setHint(tr("Press Reconstruct to see how much the photograph differs from the reconstruction."));
   m_strip->setAccessibleName(tr("Photographs"));
   m_strip->setToolTip(tr("The photographs, each with its residual beside it"));
   m_strip->setFlow(QListView::LeftToRight);
@@ -192,7 +191,7 @@ QLayout* PhotographViews::buildResult() {
          "Gonio's data folder. Undo restores the previous material."));
   auto* layout = new QGridLayout;
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* title = caption();
+  auto* title = captionLabel();
   title->setText(tr("Reconstruction"));
   layout->addWidget(title, 0, 0, 1, 2);
   layout->addWidget(m_sameLight, 1, 0);
@@ -238,9 +237,10 @@ void PhotographViews::setCurrent(int index) {
   Q_EMIT currentChanged(index);
 }
 
-void PhotographViews::setOpening(bool isOpening) {
-  m_isOpening = isOpening;
+void PhotographViews::setState(bool isOpening, bool isBusy) {
   m_open->setEnabled(m_session.result() && !isOpening);
+  m_residual->setHint(isBusy ? tr("Working...")
+                             : tr("Press Reconstruct to see how much the photograph differs from the reconstruction."));
 }
 
 void PhotographViews::refresh() {
@@ -320,7 +320,7 @@ QString PhotographViews::checksText() const {
 
 void PhotographViews::showResult() {
   const PhotographResultPtr& result = m_session.result();
-  const QStringList warnings = warningsOf(result);
+  const QStringList warnings = photographWarnings(result);
   m_warnings->setText(warnings.join('\n'));
   m_warnings->setVisible(!warnings.isEmpty());
   const QString checks = checksText();
@@ -331,7 +331,6 @@ void PhotographViews::showResult() {
          "difference from the stated value, and the standard deviation of the estimate"));
   m_uncertainty->setPoints(result ? result->uncertainty : std::vector<widgets::UncertaintyCurve::Point>());
   m_uncertainty->setHint(tr("Uncertainty of the reconstruction"));
-  setOpening(m_isOpening);
 }
 
 }  // namespace gonio::app

@@ -33,8 +33,8 @@ class PhotographViews : public QWidget {
   int current() const { return m_current; }
   void setCurrent(int index);
   void refresh();
-  /// @param isOpening whether a result is being opened.
-  void setOpening(bool isOpening);
+  /// @param isOpening whether a result is being opened. @param isBusy whether one is being made.
+  void setState(bool isOpening, bool isBusy);
 
   ReferenceView& outline() const { return *m_outline; }
   widgets::ResidualView& residual() const { return *m_residual; }
@@ -59,7 +59,6 @@ class PhotographViews : public QWidget {
 
   PhotographSession& m_session;
   int m_current = -1;
-  bool m_isOpening = false;
   QLabel *m_title, *m_residualTitle, *m_warnings, *m_checks;
   ReferenceView* m_outline;
   widgets::ResidualView* m_residual;
