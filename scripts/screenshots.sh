@@ -37,6 +37,18 @@ picture interpolation.png light library:sgd/gold-metallic-paint \
   --interpolate library:sgd/gold-metallic-paint,library:sgd/blue-metallic-paint2
 picture editor-study.png light library:merl-copy/gold-metallic-paint --study "PDV factors, two curves, 1 term"
 picture editor-acquisition.png dark library:rgl/vch_golden_yellow --acquire 40 --acquisition-page 1
+# Images of docs/tutorial-photographs.md.
+cat >"$settings/film.json" <<'END'
+{"format": "gonio photographs", "version": 1, "images": [
+  {"file": "film-1.exr", "camera": {"position": [0, 0, 4]}, "lights": [{"environment": "studio", "rotation": 0}]},
+  {"file": "film-2.exr", "camera": {"position": [0, 0, 4]}, "lights": [{"environment": "studio", "rotation": 90}]},
+  {"file": "film-3.exr", "camera": {"position": [0, 0, 4]}, "lights": [{"environment": "studio", "rotation": 200}]}]}
+END
+case "$names" in "  " | *" editor-photographs.png "*)
+  "$(dirname "$editor")/../goniotool/goniotool" photograph simulate "$settings/film.json" library:rgl/vch_golden_yellow \
+    --noise 0.01 ;;
+esac
+picture editor-photographs.png dark library:rgl/vch_golden_yellow --photographs "$settings/film.json"
 picture editor-representation.png dark library:sgd/brass --encoded 64 --compare split
 picture editor-row.png light library:merl-copy/gold-metallic-paint --scene row \
   --slots library:merl-copy/aluminium,library:rgl/acrylic_felt_purple,library:merl-copy/alum-bronze

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/acquisition/photograph_panel.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/figures/figure_file_buttons.h"
 #include "app/gonio/figures/figure_view.h"
@@ -59,6 +60,7 @@ constexpr Option options[]{
     {"encoded", "COUNT"},         // the code of so many coefficients
     {"acquire", "COUNT"},         // the acquisition of the material from so many samples
     {"acquisition-page", "0-3"},  // its page
+    {"photographs", "FILE"},      // the reconstruction from these photographs
     {"scene", "NAME"},            // the material in this scene
     {"slots", "B,C,..."}};        // materials for the slots of the scene after the first
 
@@ -208,6 +210,14 @@ void acquire(const EditorParts& parts, int samples, int page) {
       [&panel, page] { panel.pages().setCurrentIndex(page); }, Qt::QueuedConnection);
 }
 
+/// Opens photographs and reconstructs their material.
+void reconstruct(const EditorParts& parts, const QString& description) {
+  PhotographSession& session = parts.photographs.session();
+  QObject::connect(&session, &PhotographSession::inputsChanged, &session, &PhotographSession::reconstruct,
+                   Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+  session.open({description});
+}
+
 /// Shows the Interpolation dock's blend of materials, also when the material that is opened comes later than these.
 void interpolate(const EditorParts& parts, const QStringList& blended) {
   InterpolationPanel& interpolation = parts.interpolation;
@@ -261,6 +271,11 @@ void prepare(MainWindow& window, const QCommandLineParser& parser) {
   if (const int samples = parser.value("acquire").toInt(); samples > 0) {
     docks.showWorkspace(DockLayout::Workspace::acquire);
     acquire(parts, samples, parser.value("acquisition-page").toInt());
+  }
+  if (parser.isSet("photographs")) {
+    docks.showWorkspace(DockLayout::Workspace::acquire);
+    docks.show(QStringLiteral("photographs"));
+    reconstruct(parts, parser.value("photographs"));
   }
   if (parser.isSet("study")) {
     parts.study.present(StudyWindow::ChartPage);

@@ -100,6 +100,11 @@ bool AcquisitionPlanner::hasLearned(const QString& id) const {
   return !id.isEmpty() && without(m_learned, id) != m_learned;
 }
 
+std::shared_ptr<const dictionary::PrincipalComponents> AcquisitionPlanner::learned(
+    const QStringList& ids, study::MaterialClass materialClass) const {
+  return ids == m_learned && materialClass == m_learnedClass ? m_basis : nullptr;
+}
+
 std::vector<DirectionPair> AcquisitionPlanner::directions() const {
   std::vector<DirectionPair> pairs;
   for (const std::uint32_t cell : m_chosen) pairs.push_back(m_basis->mapping.grid.directions(cell));

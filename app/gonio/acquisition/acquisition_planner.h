@@ -87,6 +87,9 @@ class AcquisitionPlanner : public QObject {
   const acquisition::SampleSelection& selection() const { return m_selection; }
   /// The principal components; null until a training set is learned.
   const std::shared_ptr<const dictionary::PrincipalComponents>& basis() const { return m_basis; }
+  /// basis(), if it was learned from these materials; otherwise null.
+  std::shared_ptr<const dictionary::PrincipalComponents> learned(const QStringList& ids,
+                                                                 study::MaterialClass materialClass) const;
   /// Number of materials from which basis() was learned.
   int learnedMaterials() const { return m_basis ? int(m_basis->svd.v.rows() / 3) : 0; }
   /// Whether a material, or a copy of it, is among the learned materials.

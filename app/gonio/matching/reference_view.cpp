@@ -20,8 +20,9 @@ ReferenceView::ReferenceView(QWidget* parent) : QWidget(parent) {
   setToolTip(tr("The circle is the outline of the sphere: drag its inside to move it, its outline to resize it"));
 }
 
-void ReferenceView::setImage(const QImage& image, const matching::Disc& disc) {
+void ReferenceView::setImage(const QImage& image, const matching::Disc& disc, const QSize& size) {
   m_image = image;
+  m_size = size.isValid() ? size : image.size();
   m_disc = disc;
   if (m_dragged == Part::none) m_placed = disc;
   update();
@@ -44,7 +45,7 @@ void ReferenceView::paintEvent(QPaintEvent*) {
   if (m_image.isNull()) return;
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.drawImage(QRectF(toWidget({0, 0}), scale() * QSizeF(m_image.size())), m_image);
+  painter.drawImage(QRectF(toWidget({0, 0}), scale() * QSizeF(m_size)), m_image);
   const QPointF centre = toWidget({m_disc.x, m_disc.y});
   const double radius = scale() * m_disc.radius;
   painter.setBrush(Qt::NoBrush);
@@ -79,8 +80,8 @@ void ReferenceView::mouseMoveEvent(QMouseEvent* event) {
   matching::Disc disc = m_pressed;
   if (m_dragged == Part::centre) {
     const QPointF moved = (event->position() - m_start) / scale();
-    disc.x = std::clamp(disc.x + moved.x(), 0.0, double(m_image.width()));
-    disc.y = std::clamp(disc.y + moved.y(), 0.0, double(m_image.height()));
+    disc.x = std::clamp(disc.x + moved.x(), 0.0, double(m_size.width()));
+    disc.y = std::clamp(disc.y + moved.y(), 0.0, double(m_size.height()));
   } else {
     const QPointF offset = event->position() - toWidget({disc.x, disc.y});
     disc.radius = std::max(matching::minDiscRadius, std::hypot(offset.x(), offset.y()) / scale());

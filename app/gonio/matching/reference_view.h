@@ -17,7 +17,8 @@ class ReferenceView : public QWidget {
  public:
   explicit ReferenceView(QWidget* parent = nullptr);
 
-  void setImage(const QImage& image, const matching::Disc& disc);
+  /// @param size of the image in the pixels of `disc` and toWidget(), if `image` is a reduced version of it.
+  void setImage(const QImage& image, const matching::Disc& disc, const QSize& size = {});
   /// @param pixels of the sphere on the screen.
   void setShownRadius(double pixels);
   /// From pixels of the image to the widget.
@@ -40,6 +41,7 @@ class ReferenceView : public QWidget {
   Part partAt(const QPointF& position) const;
 
   QImage m_image;
+  QSize m_size;
   matching::Disc m_disc;     ///< of the circle
   matching::Disc m_placed;   ///< the image is placed by this one, so that it stays during a drag
   matching::Disc m_pressed;  ///< at the beginning of the drag

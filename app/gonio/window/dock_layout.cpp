@@ -146,7 +146,7 @@ void DockLayout::showWorkspace(Workspace workspace) {
       break;
     case Workspace::acquire:
       for (const auto& name : {QStringLiteral("library"), QStringLiteral("inspector")}) show(name, false);
-      show(QStringLiteral("acquisition"));
+      for (const auto& name : {QStringLiteral("photographs"), QStringLiteral("acquisition")}) show(name);
       m_window.resizeDocks({dock(QStringLiteral("acquisition"))},
                            {acquisitionDockLines * m_window.fontMetrics().height()}, Qt::Vertical);
   }

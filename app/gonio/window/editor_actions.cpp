@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/acquisition/photograph_panel.h"
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/edit_steps.h"
@@ -397,7 +398,8 @@ Action EditorActions::theme(QSettings& settings) {
 
 Action EditorActions::material(DocumentFiles& files, DocumentController& controller, BackgroundTasks& tasks,
                                ComparisonController& comparison, DockLayout& docks, StudyWindow& study,
-                               InterpolationPanel& interpolation, AcquisitionPanel& acquisition) {
+                               InterpolationPanel& interpolation, AcquisitionPanel& acquisition,
+                               PhotographPanel& photographs) {
   const Document& document = files.document();
   const auto hasMaterial = [&document] { return document.material() != nullptr; };
   const auto isWorking = [&tasks] {
@@ -444,6 +446,13 @@ Action EditorActions::material(DocumentFiles& files, DocumentController& control
                [&docks, &acquisition] {
                  docks.show(QStringLiteral("acquisition"));
                  acquisition.startButton().setFocus();
+               }},
+          {.text = tr("From P&hotographs..."),
+           .help = tr("Reconstructs a material from photographs of a sphere under known light (EXR or HDR images)"),
+           .run =
+               [&docks, &photographs] {
+                 docks.show(QStringLiteral("photographs"));
+                 photographs.present();
                }},
           // What is shown instead of the material goes first: that loses no work.
           {.text = tr("&Cancel"),

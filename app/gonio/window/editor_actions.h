@@ -29,6 +29,7 @@ class Inspector;
 class InterpolationPanel;
 class LibraryController;
 class MatchController;
+class PhotographPanel;
 class StudyWindow;
 
 /// The rows of the editor's menus, each from the parts that its actions use; these parts must outlive the table.
@@ -47,7 +48,8 @@ struct EditorActions {
                      EnvironmentController& environment, MatchController& match, QSettings& settings, QWidget* window);
   static Action material(DocumentFiles& files, DocumentController& controller, BackgroundTasks& tasks,
                          ComparisonController& comparison, DockLayout& docks, StudyWindow& study,
-                         InterpolationPanel& interpolation, AcquisitionPanel& acquisition);
+                         InterpolationPanel& interpolation, AcquisitionPanel& acquisition,
+                         PhotographPanel& photographs);
   static Action analyse(const FigureDialog::Parts& figures, ComparisonController& comparison, StudyWindow& study,
                         QWidget* window);
   /// Shows the docks of a workspace; Compare also starts a comparison.

@@ -7,6 +7,7 @@
 #include <QListView>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/acquisition/photograph_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
@@ -68,7 +69,8 @@ EditorParts::EditorParts()
       study(*new StudyWindow(document, tasks)),
       scene(*new ScenePanel(preview, document, tasks)),
       viewStrip(*new ViewStrip(preview, scene, environment, tasks)),
-      acquisition(*new AcquisitionPanel(document, tasks)) {
+      acquisition(*new AcquisitionPanel(document, tasks)),
+      photographs(*new PhotographPanel(acquisition, tasks)) {
   new HighlightDrag(preview, document);
   connectStandIns();
   connectLibrary();
@@ -201,7 +203,8 @@ bool EditorParts::isSettled() const {
   const auto task = tasks.topmost();
   return (!task || task->quiet) && inspector.isSettled() && comparisonPanel.isSettled() && plots.isSettled() &&
          factors.isSettled() && !match.isMatching() && interpolation.isSettled() && acquisition.isSettled() &&
-         library.isVisibleComplete() && (!preview.content().hasMaterial() || preview.converged());
+         photographs.isSettled() && library.isVisibleComplete() &&
+         (!preview.content().hasMaterial() || preview.converged());
 }
 
 FigureDialog::Parts EditorParts::figureParts() {

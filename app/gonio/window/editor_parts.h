@@ -29,6 +29,7 @@ class ComparisonPanel;
 class FactorCurvesPanel;
 class Inspector;
 class InterpolationPanel;
+class PhotographPanel;
 class PlotsPanel;
 class ReferencePanel;
 class ScenePanel;
@@ -73,6 +74,7 @@ struct EditorParts {
   ScenePanel& scene;
   ViewStrip& viewStrip;
   AcquisitionPanel& acquisition;
+  PhotographPanel& photographs;
 
  private:
   void connectStandIns();

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/acquisition/photograph_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
 #include "app/gonio/comparison/reference_dialog.h"
 #include "app/gonio/document/material_files.h"
@@ -148,12 +149,13 @@ void MainWindow::addDocks() {
       {tr("Factor curves"), "factors", m_parts.factors},
       {tr("Blend"), "interpolation", m_parts.interpolation},
       {tr("Scene"), "scene", m_parts.scene},
-      {tr("Acquisition"), "acquisition", m_parts.acquisition}};
+      {tr("Acquisition"), "acquisition", m_parts.acquisition},
+      {tr("Photographs"), "photographs", m_parts.photographs}};
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);
   const std::pair<const char*, const char*> icons[] = {
-      {"library", "library"},     {"inspector", "sliders"},     {"history", "history"},
-      {"plots", "plots"},         {"comparison", "comparison"}, {"factors", "curves"},
-      {"interpolation", "blend"}, {"scene", "scene"},           {"acquisition", "acquisition"}};
+      {"library", "library"},         {"inspector", "sliders"}, {"history", "history"},     {"plots", "plots"},
+      {"comparison", "comparison"},   {"factors", "curves"},    {"interpolation", "blend"}, {"scene", "scene"},
+      {"acquisition", "acquisition"}, {"photographs", "image"}};
   for (const auto& [name, icon] : icons)
     m_docks->dock(name)->toggleViewAction()->setIcon(widgets::themedIcon(QString::fromLatin1(icon)));
   m_parts.libraryView.setEmptyText(tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the "
@@ -179,7 +181,7 @@ void MainWindow::addMenus() {
            [this](const QString& notice) { m_status->showNotice(notice); }, this),
        EditorActions::view(*m_docks, p.comparison, p.preview, p.environment, p.match, p.settings, this),
        EditorActions::material(m_files, p.controller, p.tasks, p.comparison, *m_docks, p.study, p.interpolation,
-                               p.acquisition),
+                               p.acquisition, p.photographs),
        EditorActions::analyse(p.figureParts(), p.comparison, p.study, this),
        EditorActions::help(
            search, [this] { return shortcutsPage(m_actions->all()); }, this)});
@@ -235,7 +237,7 @@ void MainWindow::connectDocument() {
   const auto follow = [this, written]<class... Part>(Part&... part) {
     (connect(&part, &Part::exported, this, written), ...);
   };
-  follow(m_parts.exports, m_parts.exporter, m_parts.plots, m_parts.study, m_parts.acquisition);
+  follow(m_parts.exports, m_parts.exporter, m_parts.plots, m_parts.study, m_parts.acquisition, m_parts.photographs);
   connect(&m_parts.exports, &FileExports::cancelled, this, cancelled);
   connect(&m_parts.exporter, &ExportController::cancelled, this, cancelled);
 }
@@ -269,7 +271,7 @@ void MainWindow::connectMessages() {
   };
   follow(m_parts.tasks, m_parts.controller, m_parts.exports, m_parts.exporter, m_parts.environment, m_parts.comparison,
          m_parts.match, m_parts.plots, m_parts.factors, m_parts.interpolation, m_parts.study, m_parts.scene,
-         m_parts.acquisition);
+         m_parts.acquisition, m_parts.photographs);
   connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.scene, &ScenePanel::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.environment, &EnvironmentController::warned, m_messages, &widgets::MessageBar::showMessage);

@@ -30,7 +30,7 @@ struct Window {
     docks.add("Library", "library", new QLabel("library"), Qt::LeftDockWidgetArea);
     docks.add("Inspector", "inspector", new QLabel("inspector"), Qt::RightDockWidgetArea);
     docks.add("History", "history", new QLabel("history"), Qt::RightDockWidgetArea)->hide();
-    for (const char* name : {"plots", "comparison", "factors", "scene", "acquisition"})
+    for (const char* name : {"plots", "comparison", "factors", "scene", "acquisition", "photographs"})
       docks.add(name, name, new QLabel(name), Qt::BottomDockWidgetArea);
     docks.setDefault();
     window.resize(1100, 800);
@@ -54,7 +54,7 @@ class DockLayoutTest : public QObject {
     w.docks.showWorkspace(Workspace::analyse);
     QCOMPARE(w.shown(), QStringList({"library", "inspector", "plots"}));
     w.docks.showWorkspace(Workspace::acquire);
-    QCOMPARE(w.shown(), QStringList({"acquisition"}));
+    QCOMPARE(w.shown(), QStringList({"acquisition", "photographs"}));
     w.docks.showWorkspace(Workspace::edit);
     QCOMPARE(w.shown(), QStringList({"library", "inspector"}));
   }
@@ -128,9 +128,10 @@ class DockLayoutTest : public QObject {
     QCOMPARE(w.window.dockWidgetArea(w.docks.dock("inspector")), Qt::RightDockWidgetArea);
     for (const QDockWidget* dock : w.docks.docks()) QVERIFY(!dock->isFloating());
     // Those at the bottom lie behind one another again.
-    for (const char* name : {"plots", "comparison", "factors", "scene", "acquisition"}) w.docks.show(name);
+    for (const char* name : {"plots", "comparison", "factors", "scene", "acquisition", "photographs"})
+      w.docks.show(name);
     QApplication::processEvents();
-    QCOMPARE(w.window.tabifiedDockWidgets(w.docks.dock("plots")).size(), 4);
+    QCOMPARE(w.window.tabifiedDockWidgets(w.docks.dock("plots")).size(), 5);
   }
 
   /// Qt 6.4 paints a dragged tab into a pixmap of its size and divides by it.

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/acquisition/photograph_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
 #include "app/gonio/comparison/reference_dialog.h"
 #include "app/gonio/export/batch_dialog.h"
@@ -144,11 +145,15 @@ class TabOrderTest : public QObject {
 
   void panels() {
     EditorParts& parts = m_window->parts();
-    const std::pair<const char*, QWidget*> docks[] = {
-        {"library", &parts.libraryView}, {"inspector", &parts.inspector},
-        {"plots", &parts.plots},         {"comparison", &parts.comparisonPanel},
-        {"factors", &parts.factors},     {"interpolation", &parts.interpolation},
-        {"scene", &parts.scene},         {"acquisition", &parts.acquisition}};
+    const std::pair<const char*, QWidget*> docks[] = {{"library", &parts.libraryView},
+                                                      {"inspector", &parts.inspector},
+                                                      {"plots", &parts.plots},
+                                                      {"comparison", &parts.comparisonPanel},
+                                                      {"factors", &parts.factors},
+                                                      {"interpolation", &parts.interpolation},
+                                                      {"scene", &parts.scene},
+                                                      {"acquisition", &parts.acquisition},
+                                                      {"photographs", &parts.photographs}};
     QStringList back;
     for (const auto& [name, panel] : docks) {
       m_window->docks().show(name);
