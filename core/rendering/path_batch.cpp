@@ -42,7 +42,7 @@ LightSample LightSampler::sample(const SceneLight& light, const Direction& posit
       const Direction offset = lamp.at(2 * u.x - 1, 2 * u.y - 1) - position;
       const double distance = glm::length(offset);
       if (!(distance > 0)) return {};
-      const auto [radiance, density] = evalLight(light, offset / distance, distance);
+      const auto [radiance, density] = evalLight(light, normal, offset / distance, distance);
       return {offset / distance, distance, radiance, density};
     }
     case SceneLight::Kind::environment:
@@ -52,9 +52,11 @@ LightSample LightSampler::sample(const SceneLight& light, const Direction& posit
   return {rotation_.fromEnvironment(sampled.direction), unbounded, sampled.radiance, sampled.pdf};
 }
 
-LightSampler::Found LightSampler::evalLight(const SceneLight& light, const Direction& toward, double distance) const {
+LightSampler::Found LightSampler::evalLight(const SceneLight& light, const Direction& normal, const Direction& toward,
+                                            double distance) const {
   if (light.kind == SceneLight::Kind::environment) {
-    const EnvironmentMap::Sample found = scene_.environment->at(rotation_.toEnvironment(toward));
+    const EnvironmentMap::Sample found =
+        scene_.environment->atAbove(rotation_.toEnvironment(normal), rotation_.toEnvironment(toward));
     return {found.radiance, found.pdf};
   }
   const SceneObject& lamp = scene_.objects[light.index];
@@ -334,7 +336,7 @@ Rgb PathTracer::PathBatch::foundLights(const Path& path) const {
                                              [&](std::size_t blocker) { return distanceOf(blocker) < distance; });
     if (blocked) continue;
     const bool sampled = tracer_.strategy_ == Strategy::both && (!isLamp || plan.simulates(Effect::areaLightSampling));
-    const auto [radiance, density] = lights_.evalLight(light, path.toward, distance);
+    const auto [radiance, density] = lights_.evalLight(light, path.geometricNormal, path.toward, distance);
     // Where the density of the light's own samples is 0, this direction has the light to itself.
     sum += radiance * powerHeuristic(path.sample.pdf, sampled ? density : 0);
   }

@@ -94,9 +94,9 @@ class LightSampler {
     Rgb radiance{0};
     double density = 0;  ///< of sample(), 1/sr
   };
-  /// Radiance of a light with size, and density of sample(), for a direction (world) that hits it at a distance; both
-  /// are 0 on the back of an area light.
-  Found evalLight(const SceneLight& light, const Direction& toward, double distance) const;
+  /// Radiance of a light with size, and density of sample() for a surface with this normal, for a direction (world)
+  /// that hits it at a distance; both are 0 on the back of an area light.
+  Found evalLight(const SceneLight& light, const Direction& normal, const Direction& toward, double distance) const;
   /// Radiance of the visible environment in a world direction. Precondition: the scene shows it.
   Rgb background(const Direction& toward) const;
 
