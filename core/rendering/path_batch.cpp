@@ -197,14 +197,13 @@ bool PathTracer::PathBatch::goesOn(const Path& path, int reflection) const {
 }
 
 void PathTracer::PathBatch::sampleMaterials(int reflection) {
-  PathSamples directions(reflection, PathSamples::reflectedDirection),
-      components(reflection, PathSamples::reflectedDensity);
+  PathSamples directions(reflection, PathSamples::reflectedDirection);
   for (Path& path : paths_) {
     path.sample.pdf = 0;
     if (!tracer_.findsLights_[path.object] && !goesOn(path, reflection)) continue;
-    const glm::dvec2 u = directions.pair(path.seed);
+    const glm::dvec3 u = directions.triple(path.seed);
     const RenderMaterial& material = *tracer_.materials_[path.object];
-    path.sample = material.sample(path.wo, {components.number(path.seed), u.x, u.y});
+    path.sample = material.sample(path.wo, {u.z, u.x, u.y});
     path.toward = path.frame.toWorld(path.sample.wi);
     if (!(glm::dot(path.geometricNormal, path.toward) > 0)) path.sample.pdf = 0;
     if (path.sample.pdf > 0) path.query = queriesOf(path).add(path.sample.wi, path.wo);
