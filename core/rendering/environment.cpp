@@ -8,7 +8,6 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <span>
 
 #include "core/io/image_io.h"
 #include "core/math/fast_functions.h"

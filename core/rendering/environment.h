@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>

@@ -18,7 +18,6 @@ namespace {
 /// Of the reduced map; of wider ones the tables would take as much memory as the map.
 constexpr std::size_t maxWidth = 8192;
 constexpr std::size_t rowsAtOnce = 16;
-constexpr std::size_t nodesPerLine = 8;  // of 64 bytes
 constexpr std::size_t maxCellColumns = 32, maxCellRows = 16;
 
 // Normals are grouped by the squares of an octahedral map (Meyer et al. 2010, "On Floating-Point Normal Vectors").
@@ -261,11 +260,6 @@ EnvironmentDensity::Sample EnvironmentDensity::sample(Table table, const glm::dv
   const std::size_t strip = firstStrip + inCell, above = rowAbove(strip), below = rowBelow(strip);
   const std::size_t first = columnStart_[cellColumn], end = columnStart_[cellColumn + 1];
   const Node *const rowA = &nodes_[above * width_], *const rowB = &nodes_[below * width_];
-  // All at once instead of one after the other in the search below: they are seldom in the caches.
-  for (std::size_t i = first; i < end; i += nodesPerLine) {
-    __builtin_prefetch(&rowA[i]);
-    __builtin_prefetch(&rowB[i]);
-  }
   const double height = cosEdges_[strip] - cosEdges_[strip + 1];
   const double aboveMass = acrossCell_[above * columns + cellColumn],
                belowMass = acrossCell_[below * columns + cellColumn];
