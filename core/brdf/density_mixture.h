@@ -62,11 +62,12 @@ class DensityMixture {
       : fractions_(fractions), densities_(densities...) {}
 
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
-    Direction wi = sampleOne<0>(wo, u.x, {u.y, u.z});
-    if (wi == Direction(0)) return {{0, 0, 1}, 0};
-    // Moves a sample on the horizon up by a negligible amount, so that its density is positive.
-    wi.z = std::max(std::abs(wi.z), minCosine);
-    return {wi, pdf(wi, wo)};
+    return above(sampleOne<0>(wo, u.x, {u.y, u.z}), wo);
+  }
+  /// From two numbers: the first one selects the density, is rescaled to [0, 1) and used again, so that points that are
+  /// well spread over the square are so in each density.
+  DirectionSample sample(const Direction& wo, const glm::dvec2& u) const {
+    return above(sampleReusing<0>(wo, u, 1), wo);
   }
 
   double pdf(const Direction& wi, const Direction& wo) const {
@@ -78,11 +79,31 @@ class DensityMixture {
  private:
   static constexpr double minCosine = 1e-9;
 
+  DirectionSample above(Direction wi, const Direction& wo) const {
+    if (wi == Direction(0)) return {{0, 0, 1}, 0};
+    // Moves a sample on the horizon up by a negligible amount, so that its density is positive.
+    wi.z = std::max(std::abs(wi.z), minCosine);
+    return {wi, pdf(wi, wo)};
+  }
+
   template <std::size_t index>
   Direction sampleOne(const Direction& wo, double which, const glm::dvec2& u) const {
     if constexpr (index + 1 < sizeof...(Densities))
       if (!(which < fractions_[index])) return sampleOne<index + 1>(wo, which - fractions_[index], u);
     return std::get<index>(densities_).sample(wo, u);
+  }
+
+  /// @param rest sum of the fractions from `index` on.
+  template <std::size_t index>
+  Direction sampleReusing(const Direction& wo, const glm::dvec2& u, double rest) const {
+    if constexpr (index + 1 < sizeof...(Densities)) {
+      const double part = fractions_[index] / rest;
+      if (!(u.x < part))
+        return sampleReusing<index + 1>(wo, {(u.x - part) / (1 - part), u.y}, rest - fractions_[index]);
+      return std::get<index>(densities_).sample(wo, {u.x / part, u.y});
+    } else {
+      return std::get<index>(densities_).sample(wo, u);
+    }
   }
 
   template <std::size_t index>

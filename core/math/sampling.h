@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -36,11 +37,17 @@ class SobolPoints {
  public:
   explicit SobolPoints(std::uint32_t seed);
   glm::dvec2 operator[](std::uint32_t index) const;
+  /// The same point with the third dimension of Sobol's sequence: points whose third number is in a dyadic interval are
+  /// themselves well spread in the first two, as for a choice between densities.
+  glm::dvec3 triple(std::uint32_t index) const;
+  /// The fourth and the fifth dimension of the same point, less well spread.
+  glm::dvec2 fourthAndFifth(std::uint32_t index) const;
   /// The first coordinate of the point: scrambledVanDerCorput() of the seed.
   double first(std::uint32_t index) const;
 
  private:
-  std::uint32_t seed_, firstSeed_, secondSeed_;
+  std::uint32_t seed_;
+  std::array<std::uint32_t, 5> seeds_;  ///< of the dimensions
 };
 
 }  // namespace gonio

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/math/image.h"
+#include "core/rendering/environment_density.h"
 
 namespace gonio::rendering {
 
@@ -37,16 +37,18 @@ class EnvironmentMap {
     Rgb radiance;
     double pdf;  ///< 1/sr
   };
-  /// Samples a direction. The density is constant over each pixel's solid angle (of maps above 8192 pixels wide, that
-  /// of 2 x 2 pixels, above 16384 of 4 x 4, and so on) and proportional to the mean luminance of the bilinear radiance
-  /// in it (1 / (4 pi) for a black map). @param u1, u2 in [0, 1), for row and column.
+  /// Samples a direction with a density proportional to the bilinear luminance (EnvironmentDensity); 1 / (4 pi) for a
+  /// black map. @param u1, u2 in [0, 1), for row and column.
   Sample sample(double u1, double u2) const;
-  /// The same, with density and radiance 0 if the direction is below the horizon of a normal (world).
+  /// Samples a direction that illuminates a surface: proportional to the luminance and about to the cosine. Density and
+  /// radiance are 0 if the direction is below the horizon of the normal (world).
   Sample sampleAbove(const Direction& normal, double u1, double u2) const;
   /// Density of sample(), 1/sr.
-  double pdf(const Direction& world) const;
+  double pdf(const Direction& world) const { return at(world).pdf; }
   /// Radiance and density of one direction; faster than two calls.
   Sample at(const Direction& world) const;
+  /// The same with the density of sampleAbove(). Precondition: the direction is above the horizon of the normal.
+  Sample atAbove(const Direction& normal, const Direction& world) const;
 
   /// The mapping from a position (u, v) in [0, 1]^2, v = 0 at the top, to a world direction, and its inverse. The
   /// shader implements the same mapping.
@@ -54,37 +56,14 @@ class EnvironmentMap {
   static glm::dvec2 positionOf(const Direction& world);
 
  private:
-  /// The largest width of the sampling tables: of wider maps they would take as much memory as the map.
-  static constexpr int maxTableWidth = 8192;
-
-  /// The pixels of a block along a row.
-  struct BlockColumns {
-    int first, count;
-    double fraction;  ///< of the row's width
-  };
-  BlockColumns columnsOf(std::size_t block) const;
-  /// A block of pixels, and a direction through it.
-  struct PixelDirection {
-    std::size_t x, y;
-    double u, cosTheta, sinTheta;
-    Direction direction;
-  };
-  PixelDirection sampleDirection(double u1, double u2) const;
-  Sample at(const PixelDirection& place) const;
+  Sample at(EnvironmentDensity::Table table, const Direction& world) const;
   Rgb bilinear(const glm::dvec2& position) const;
-  double blockPdf(std::size_t x, std::size_t y) const;
-  std::vector<double> blockWeights(std::size_t row) const;
-  void buildTables();
+  Sample sampled(const EnvironmentDensity::Sample& sample, const Direction& world) const;
 
   Image image_;
   std::string name_;
   std::vector<std::string> notes_;
-  int blockSide_ = 1;             ///< pixels; a power of two
-  std::size_t blockColumns_ = 0;  ///< blocks of a row
-  std::vector<double> cosEdges_;  ///< cos theta of the upper edges of rows of blocks, and of the last one's lower edge
-  /// Cumulative distributions from 0 to 1: one of the rows of blocks, and for each of them that of its blocks.
-  std::vector<float> marginal_, conditional_;
-  std::vector<std::uint32_t> marginalGuide_, conditionalGuide_;  ///< start indices of searches in the tables
+  std::shared_ptr<const EnvironmentDensity> density_;
 };
 
 /// Rotation of an environment about the vertical axis, clockwise seen from above (opposite to OrbitCamera::yaw):

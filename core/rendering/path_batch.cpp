@@ -42,7 +42,7 @@ LightSample LightSampler::sample(const SceneLight& light, const Direction& posit
       const Direction offset = lamp.at(2 * u.x - 1, 2 * u.y - 1) - position;
       const double distance = glm::length(offset);
       if (!(distance > 0)) return {};
-      const auto [radiance, density] = evalLight(light, offset / distance, distance);
+      const auto [radiance, density] = evalLight(light, normal, offset / distance, distance);
       return {offset / distance, distance, radiance, density};
     }
     case SceneLight::Kind::environment:
@@ -52,9 +52,11 @@ LightSample LightSampler::sample(const SceneLight& light, const Direction& posit
   return {rotation_.fromEnvironment(sampled.direction), unbounded, sampled.radiance, sampled.pdf};
 }
 
-LightSampler::Found LightSampler::evalLight(const SceneLight& light, const Direction& toward, double distance) const {
+LightSampler::Found LightSampler::evalLight(const SceneLight& light, const Direction& normal, const Direction& toward,
+                                            double distance) const {
   if (light.kind == SceneLight::Kind::environment) {
-    const EnvironmentMap::Sample found = scene_.environment->at(rotation_.toEnvironment(toward));
+    const EnvironmentMap::Sample found =
+        scene_.environment->atAbove(rotation_.toEnvironment(normal), rotation_.toEnvironment(toward));
     return {found.radiance, found.pdf};
   }
   const SceneObject& lamp = scene_.objects[light.index];
@@ -195,14 +197,13 @@ bool PathTracer::PathBatch::goesOn(const Path& path, int reflection) const {
 }
 
 void PathTracer::PathBatch::sampleMaterials(int reflection) {
-  PathSamples directions(reflection, PathSamples::reflectedDirection),
-      components(reflection, PathSamples::reflectedDensity);
+  PathSamples directions(reflection, PathSamples::reflectedDirection);
   for (Path& path : paths_) {
     path.sample.pdf = 0;
     if (!tracer_.findsLights_[path.object] && !goesOn(path, reflection)) continue;
-    const glm::dvec2 u = directions.pair(path.seed);
+    const glm::dvec3 u = directions.triple(path.seed);
     const RenderMaterial& material = *tracer_.materials_[path.object];
-    path.sample = material.sample(path.wo, {components.number(path.seed), u.x, u.y});
+    path.sample = material.sample(path.wo, {u.z, u.x, u.y});
     path.toward = path.frame.toWorld(path.sample.wi);
     if (!(glm::dot(path.geometricNormal, path.toward) > 0)) path.sample.pdf = 0;
     if (path.sample.pdf > 0) path.query = queriesOf(path).add(path.sample.wi, path.wo);
@@ -334,7 +335,7 @@ Rgb PathTracer::PathBatch::foundLights(const Path& path) const {
                                              [&](std::size_t blocker) { return distanceOf(blocker) < distance; });
     if (blocked) continue;
     const bool sampled = tracer_.strategy_ == Strategy::both && (!isLamp || plan.simulates(Effect::areaLightSampling));
-    const auto [radiance, density] = lights_.evalLight(light, path.toward, distance);
+    const auto [radiance, density] = lights_.evalLight(light, path.geometricNormal, path.toward, distance);
     // Where the density of the light's own samples is 0, this direction has the light to itself.
     sum += radiance * powerHeuristic(path.sample.pdf, sampled ? density : 0);
   }

@@ -17,17 +17,20 @@ struct PathSeed {
   std::uint32_t pixel, sample;
 };
 
-/// Sample points for one purpose (Dimension) at one reflection: an independent two-dimensional set per pixel. The
-/// set-up is cached for consecutive paths of a pixel.
+/// Sample points for one purpose (Dimension) at one reflection: an independent set per pixel. The set-up is cached for
+/// consecutive paths of a pixel. The position in the pixel belongs to the points of the first reflected direction: what
+/// a mirror shows depends on both together.
 class PathSamples {
  public:
-  enum Dimension : std::uint32_t { filmPosition, reflectedDirection, reflectedDensity, survival, firstLight };
+  enum Dimension : std::uint32_t { reflectedDirection, survival, firstLight };
 
   /// @param reflection 0 at the camera.
   PathSamples(int reflection, std::uint32_t dimension)
       : dimension_(std::uint32_t(reflection) * dimensionsPerBounce + dimension), pixel_(0), points_(seedOf(0)) {}
 
   glm::dvec2 pair(const PathSeed& path) { return pointsOf(path.pixel)[path.sample]; }
+  glm::dvec2 filmPosition(const PathSeed& path) { return pointsOf(path.pixel).fourthAndFifth(path.sample); }
+  glm::dvec3 triple(const PathSeed& path) { return pointsOf(path.pixel).triple(path.sample); }
   double number(const PathSeed& path) { return pointsOf(path.pixel).first(path.sample); }
 
  private:
@@ -94,9 +97,9 @@ class LightSampler {
     Rgb radiance{0};
     double density = 0;  ///< of sample(), 1/sr
   };
-  /// Radiance of a light with size, and density of sample(), for a direction (world) that hits it at a distance; both
-  /// are 0 on the back of an area light.
-  Found evalLight(const SceneLight& light, const Direction& toward, double distance) const;
+  /// Radiance of a light with size, and density of sample() for a surface with this normal, for a direction (world)
+  /// that hits it at a distance; both are 0 on the back of an area light.
+  Found evalLight(const SceneLight& light, const Direction& normal, const Direction& toward, double distance) const;
   /// Radiance of the visible environment in a world direction. Precondition: the scene shows it.
   Rgb background(const Direction& toward) const;
 

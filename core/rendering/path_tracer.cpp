@@ -110,7 +110,7 @@ void PathTracer::traceRow(Film& film, int y, int samples, PathBatch& batch, Samp
   const glm::dvec2 extent = viewExtent(camera_, double(film.width) / film.height);
   const glm::dvec2 pixelSize(2.0 / film.width, -2.0 / film.height);
   const std::size_t first = std::size_t(y) * std::size_t(film.width);
-  PathSamples filmPositions(0, PathSamples::filmPosition);
+  PathSamples points(1, PathSamples::reflectedDirection);
   std::vector<PathBatch::Start> starts;
   const auto traceStarts = [&] {
     const auto results = batch.trace(starts);
@@ -131,7 +131,7 @@ void PathTracer::traceRow(Film& film, int y, int samples, PathBatch& batch, Samp
       PathBatch::Start& start = starts.emplace_back();
       start.pixel = pixel;
       start.seed = {pixelSeed, std::uint32_t(film.samples + i)};
-      const glm::dvec2 position = glm::dvec2(x, y) + filmPositions.pair(start.seed);
+      const glm::dvec2 position = glm::dvec2(x, y) + points.filmPosition(start.seed);
       const glm::dvec2 place = film.window.centre + film.window.halfSize * (glm::dvec2(-1, 1) + pixelSize * position);
       start.ray = cameraRay(camera_, extent * place);
       if (starts.size() == PathBatch::capacity) traceStarts();

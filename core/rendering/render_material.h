@@ -33,11 +33,13 @@ class RenderMaterial {
                                                            std::shared_ptr<const Brdf> sampler);
 
   const Brdf& brdf() const { return *brdf_; }
-  /// As Brdf::sample() and pdf().
+  /// As Brdf::sample() and pdf(); densities that this class chose use u.y to select the component as well, and leave
+  /// u.x unused.
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
     const auto& [closedForm, tabulated, sampler] = density_;
-    return closedForm  ? closedForm->sample(wo, u)
-           : tabulated ? tabulatedMixture(*tabulated).sample(wo, u)
+    const glm::dvec2 pair(u.y, u.z);
+    return closedForm  ? closedForm->sample(wo, pair)
+           : tabulated ? tabulatedMixture(*tabulated).sample(wo, pair)
                        : (sampler ? sampler : brdf_)->sample(wo, u);
   }
   double pdf(const Direction& wi, const Direction& wo) const {

@@ -52,6 +52,11 @@ struct SamplingDensity {
 
   /// Samples wi for a viewer wo (z > 0). `u` in [0, 1)^3: u.x selects the part, u.y and u.z the direction.
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
+  /// From two numbers: the first one selects the part, is rescaled and used again, as in DensityMixture.
+  DirectionSample sample(const Direction& wo, const glm::dvec2& u) const {
+    if (u.x < specularFraction) return sample(wo, glm::dvec3(0, u.x / specularFraction, u.y));
+    return sample(wo, glm::dvec3(1, (u.x - specularFraction) / (1 - specularFraction), u.y));
+  }
   /// Density of sample() at wi, 1/sr; 0 below the horizon.
   double pdf(const Direction& wi, const Direction& wo) const;
 };

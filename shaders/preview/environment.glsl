@@ -46,10 +46,8 @@ vec3 blurredRadiance(vec3 world) {
 vec3 environmentRadiance(vec3 world) { return textureLod(environment, environmentPosition(world), 0.0).rgb; }
 
 Light environmentLight(vec3 world) {
-  vec2 at = environmentPosition(world);
-  ivec2 size = textureSize(environment, 0);
-  float density = texelFetch(environment, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1), 0).a;
-  return Light(world, textureLod(environment, at, 0.0).rgb, density);
+  vec4 found = textureLod(environment, environmentPosition(world), 0.0);
+  return Light(world, found.rgb, found.a);
 }
 
 Light drawnLight(int index) {

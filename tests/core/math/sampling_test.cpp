@@ -32,6 +32,57 @@ class SamplingTest : public QObject {
           }
   }
 
+  /// A (1, 3)-sequence: of 2^k points from a multiple of 2^k each elementary box of volume 2^(1 - k) holds exactly two.
+  void everyElementaryBoxHoldsTwoPoints() {
+    for (const std::uint32_t seed : {0u, 5u, 0xdeadbeefu})
+      for (int k = 1; k <= 9; ++k)
+        for (int across = 0; across < k; ++across)
+          for (int along = 0; across + along < k; ++along) {
+            const std::uint32_t columns = 1u << across, rows = 1u << along, layers = 1u << (k - 1 - across - along);
+            std::vector<int> counts(std::size_t(1) << (k - 1), 0);
+            const SobolPoints points(seed);
+            for (std::uint32_t i = 0; i < (1u << k); ++i) {
+              const glm::dvec3 p = points.triple((3u << k) + i);
+              ++counts[(std::uint32_t(p.x * columns) * rows + std::uint32_t(p.y * rows)) * layers +
+                       std::uint32_t(p.z * layers)];
+            }
+            for (const int count : counts) QCOMPARE(count, 2);
+          }
+  }
+
+  /// Each number alone has one point in each of 2^k intervals, in all five dimensions.
+  void everyDimensionIsStratified() {
+    for (const std::uint32_t seed : {2u, 0xdeadbeefu}) {
+      const SobolPoints points(seed);
+      for (int dimension = 0; dimension < 5; ++dimension) {
+        std::set<int> cells;
+        for (std::uint32_t i = 0; i < 256; ++i) {
+          const glm::dvec3 first = points.triple(512 + i);
+          const glm::dvec2 last = points.fourthAndFifth(512 + i);
+          cells.insert(int(256 * (dimension < 3 ? first[dimension] : last[dimension - 3])));
+        }
+        QCOMPARE(cells.size(), std::size_t(256));
+      }
+    }
+  }
+
+  /// Products of two numbers of one point integrate to 1/4, over many seeds: no dimension follows another.
+  void dimensionsAreIndependent() {
+    double sums[5][5] = {};
+    constexpr std::uint32_t seeds = 4000, perSeed = 4;
+    for (std::uint32_t seed = 0; seed < seeds; ++seed)
+      for (std::uint32_t i = 0; i < perSeed; ++i) {
+        const SobolPoints points(hashCombine(seed, 1));
+        const glm::dvec3 first = points.triple(i);
+        const glm::dvec2 last = points.fourthAndFifth(i);
+        const double p[] = {first.x, first.y, first.z, last.x, last.y};
+        for (int a = 0; a < 5; ++a)
+          for (int b = 0; b < 5; ++b) sums[a][b] += p[a] * p[b] / (seeds * perSeed);
+      }
+    for (int a = 0; a < 5; ++a)
+      for (int b = 0; b < 5; ++b) QVERIFY(std::abs(sums[a][b] - (a == b ? 1 / 3. : 0.25)) < 0.01);
+  }
+
   void pointsOfASeedAreThoseOfTheFunctions() {
     for (const std::uint32_t seed : {0u, 9u}) {
       const SobolPoints points(seed);
@@ -39,6 +90,7 @@ class SamplingTest : public QObject {
         QCOMPARE(points[i], scrambledSobol(i, seed));
         QCOMPARE(points.first(i), scrambledVanDerCorput(i, seed));
         QCOMPARE(points.first(i), points[i].x);
+        QCOMPARE(glm::dvec2(points.triple(i)), points[i]);
       }
     }
   }

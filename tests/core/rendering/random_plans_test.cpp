@@ -138,10 +138,10 @@ class RandomPlansTest : public QObject {
       std::array<std::uint64_t, 2> rays{};
       const auto tiles = [&](const EffectPlan& plan, std::uint64_t seed, std::uint64_t& count) {
         return tilesOf(
-            6,
+            12,
             [&](std::uint64_t one) {
               Film film(24, 24);
-              PathTracer(scene, bound, plan, one).accumulate(film, 32);
+              PathTracer(scene, bound, plan, one).accumulate(film, 16);
               count += film.counters.bounce;
               return film.image();
             },
