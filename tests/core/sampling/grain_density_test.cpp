@@ -100,7 +100,8 @@ class GrainDensityTest : public QObject {
         constexpr int count = 1 << 16;
         glm::dvec2 sums(0);
         for (std::uint32_t i = 0; i < count; ++i) {
-          const DirectionSample drawn = sampler.sample(wo, {scrambledVanDerCorput(i, 6), scrambledSobol(i, 5)});
+          const DirectionSample drawn =
+              sampler.sample(wo, glm::dvec3(scrambledVanDerCorput(i, 6), scrambledSobol(i, 5)));
           const double estimate = drawn.pdf > 0 ? brdf->evaluate(drawn.wi, wo).x * drawn.wi.z / drawn.pdf : 0;
           sums += glm::dvec2(estimate, estimate * estimate) / double(count);
         }

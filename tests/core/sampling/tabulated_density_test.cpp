@@ -126,7 +126,7 @@ class TabulatedDensityTest : public QObject {
     double sum = 0, squares = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
       const DirectionSample drawn =
-          tabulatedMixture(density).sample(wo, {scrambledVanDerCorput(i, 8), scrambledSobol(i, 7)});
+          tabulatedMixture(density).sample(wo, glm::dvec3(scrambledVanDerCorput(i, 8), scrambledSobol(i, 7)));
       const double estimate = drawn.pdf > 0 ? table->evaluate(drawn.wi, wo).x * drawn.wi.z / drawn.pdf : 0;
       sum += estimate / count, squares += estimate * estimate / count;
     }
