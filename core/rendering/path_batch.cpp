@@ -77,7 +77,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int certainReflections = 3;
 /// A path that can add less than this multiple of the typical brightness ends by chance, see survives(). Larger values
 /// trace fewer rays and add noise.
-constexpr double rouletteFraction = 2;
+constexpr double rouletteFraction = 0.5;
 
 /// The weight of a direction that was sampled with a density, where another strategy samples it with the other density:
 /// one sample each, the exponent 2 (Veach 1997, section 9.2.4). It disturbs a good strategy less than the balance

@@ -41,7 +41,7 @@ class OffscreenSpheres {
                    double enough) {
     double snr = 0;
     const auto material = rendering::pictureMaterial(brdf, {});
-    for (const int samples : {64, 256, 512}) {
+    for (const int samples : {64, 256, 512, 2048}) {
       metrics::PicturePair reference;
       for (std::size_t i = 0; i < 2; ++i)
         reference[i] = rendering::renderPicture(material, scene,
