@@ -15,8 +15,9 @@ target_compile_options(gonio_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # Of a std::optional in another one (GCC bug 80635).
-  target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized)
+  # Of a std::optional in another one (GCC bug 80635); of vectors with one element; of references to
+  # records that a function finds by a temporary name (GCC 14 cannot tell them from references into the name).
+  target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-dangling-reference)
 endif()
 # GCC spends a tenth of a compilation on collecting its garbage; with this much memory it seldom does.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
