@@ -41,7 +41,7 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
       m_status(new QLabel) {
   m_pages->addTab(m_samples, tr("Samples"));
   m_pages->addTab(m_reconstruction, tr("&Reconstruction"));
-  m_pages->addTab(m_curve, tr("Error vs. samples"));
+  m_pages->addTab(m_curve, tr("Errors"));
   m_pages->addTab(m_factors, tr("T&wo curves"));
   m_pages->setTabToolTip(factorPage,
                          tr("Measures two curves instead of chosen directions, and predicts the material from them"));
