@@ -17,9 +17,9 @@ namespace {
 Rgb environmentIrradiance(const rendering::EnvironmentMap& environment, double angle, const Direction& normal) {
   const Image& image = environment.image();
   const Direction local = rendering::EnvironmentRotation(angle).toEnvironment(normal);
-  std::vector<Direction> columns;  // horizontal directions
+  std::vector<Direction> columns(std::size_t(image.width));  // horizontal directions
   for (int x = 0; x < image.width; ++x)
-    columns.push_back(rendering::EnvironmentMap::directionAt((x + 0.5) / image.width, 0.5));
+    columns[std::size_t(x)] = rendering::EnvironmentMap::directionAt((x + 0.5) / image.width, 0.5);
   std::vector<Rgb> rows(std::size_t(image.height), Rgb(0));
   parallelForBlocks(rows.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {

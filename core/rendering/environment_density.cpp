@@ -47,7 +47,8 @@ std::vector<NormalGroup> makeNormalGroups() {
     return octahedralDirection(glm::dvec2(column, row) * (2.0 / normalSide) - 1.0);
   };
   for (std::size_t i = 0; i < normalSide * normalSide; ++i) {
-    const double column = double(i % normalSide), row = double(i / normalSide);
+    const std::size_t below = i / normalSide;
+    const double column = double(i % normalSide), row = double(below);
     const Direction axis = at(column + 0.5, row + 0.5);
     double cosine = 1;
     for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}})
