@@ -74,7 +74,7 @@ void keepingSigns(Values& values, const Function& function) {
 }
 
 template <typename Scalar>
-void invert(Eigen::Ref<Eigen::Array<Scalar, Eigen::Dynamic, 1>> values, DataTransform transform,
+void invert(Eigen::Ref<Eigen::Array<Scalar, Eigen::Dynamic, 1>>& values, DataTransform transform,
             const Eigen::Ref<const Eigen::ArrayXf>& weights, Scalar lowest) {
   assert(values.size() == weights.size() && lowest <= 0);
   if (lowest < 0) {
