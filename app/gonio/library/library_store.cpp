@@ -66,7 +66,7 @@ bool LibraryStore::prepare() {
   if (!run(QStringLiteral("CREATE TABLE IF NOT EXISTS notes (%1)").arg(columns)) || !addMissingColumns()) return false;
   // A note is safe when the program ends, and does not wait for the disk. Notes can be read where this is not possible.
   for (const char* setting : {"PRAGMA journal_mode = WAL", "PRAGMA synchronous = NORMAL"})
-    database.exec(QLatin1String(setting));
+    QSqlQuery(database).exec(QLatin1String(setting));
   return true;
 }
 
