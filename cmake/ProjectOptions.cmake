@@ -4,7 +4,8 @@
 add_library(gonio_options INTERFACE)
 target_compile_features(gonio_options INTERFACE cxx_std_20)
 target_compile_options(gonio_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wconversion -Wno-sign-conversion
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:GONIO_UNCHECKED_CONVERSIONS>>>:-Wconversion> -Wno-sign-conversion
   # Designated initializers leave fields at their defaults on purpose.
   -Wno-missing-field-initializers
   # The same expression must give the same bits wherever it is inlined: an unchanged edit is the identity.

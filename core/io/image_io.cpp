@@ -26,12 +26,27 @@ namespace {
   throw Error(std::string("found no PNG or JPEG image that can be read (") + stbi_failure_reason() + ")");
 }
 
+/// Whether a JPEG file has its end marker, without which stb reads zeros. Segments before the scan are passed over:
+/// thumbnails in them have such markers of their own.
+bool reachesItsEnd(std::span<const std::byte> jpeg) {
+  constexpr unsigned marker = 0xff, startOfScan = 0xda, endOfImage = 0xd9;
+  const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(jpeg[i]); };
+  std::size_t i = 2;
+  while (i + 4 <= jpeg.size() && at(i) == marker && at(i + 1) != startOfScan)
+    i += at(i + 1) == marker ? 1 : 2 + (at(i + 2) << 8 | at(i + 3));
+  for (; i + 2 <= jpeg.size(); ++i)
+    if (at(i) == marker && at(i + 1) == endOfImage) return true;
+  return false;
+}
+
 Image decodeEncoded(std::span<const std::byte> bytes) {
   constexpr std::int64_t mostSide = 32768, mostPixels = std::int64_t(1) << 27;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
     throw Error("found more than 2 GB, expected an image");
   const int size = int(bytes.size());
+  const bool isJpeg = size > 2 && data[0] == 0xff && data[1] == 0xd8;
+  if (isJpeg && !reachesItsEnd(bytes)) throw Error("found a JPEG image without its end, expected a whole one");
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) failEncoded();
   if (width > mostSide || height > mostSide || std::int64_t(width) * height > mostPixels)
