@@ -254,7 +254,8 @@ class MainWindowTest : public QObject {
     auto* window = new MainWindow;
     window->show();
     QVERIFY(QTest::qWaitForWindowExposed(window));
-    QApplication::setActiveWindow(window);  // no window manager does it
+    window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window));
     Document& document = window->parts().document;
     document.setMaterial(greyMaterial());
     fitting::FitResult fit;

@@ -44,8 +44,9 @@ QRect placeOf(const QWidget& widget) { return {widget.mapToGlobal(QPoint()), wid
 
 /// What Tab visits in a part of a window from its upper left on, until it leaves the part or comes back.
 std::vector<QWidget*> stops(const QWidget& part) {
-  QApplication::setActiveWindow(part.window());  // no window manager does it
   std::vector<QWidget*> result;
+  part.window()->activateWindow();
+  if (!QTest::qWaitForWindowActive(part.window())) return result;
   for (QWidget* widget : part.findChildren<QWidget*>())
     if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() & Qt::TabFocus && !widget->focusProxy())
       result.push_back(widget);
