@@ -188,9 +188,9 @@ class LibraryStoreTest : public QObject {
       if (!database.open()) qFatal("cannot open the file");
     }
     ~OtherProgram() { close(); }
-    bool run(const QString& statement) { return !QSqlDatabase::database(m_name).exec(statement).lastError().isValid(); }
+    bool run(const QString& statement) { return QSqlQuery(QSqlDatabase::database(m_name)).exec(statement); }
     QString value(const QString& statement) {
-      QSqlQuery query = QSqlDatabase::database(m_name).exec(statement);
+      QSqlQuery query(statement, QSqlDatabase::database(m_name));
       return query.next() ? query.value(0).toString() : QString();
     }
     QString name() const { return m_name; }
