@@ -214,10 +214,13 @@ bool CommandSearch::eventFilter(QObject* watched, QEvent* event) {
 
 void CommandSearch::runCurrent() {
   const QListWidgetItem* item = m_list->currentItem();
-  if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
-  const std::function<void()> run = m_entries[std::size_t(item->data(Qt::UserRole).toInt())].run;
+  // In some styles a click activates the item as well.
+  if (!isVisible() || !item || !(item->flags() & Qt::ItemIsEnabled)) return;
+  // Afterwards: it may open a dialog with an event loop of its own, which would destroy the list that handles this
+  // click.
+  QMetaObject::invokeMethod(parentWidget(), m_entries[std::size_t(item->data(Qt::UserRole).toInt())].run,
+                            Qt::QueuedConnection);
   accept();
-  run();
 }
 
 }  // namespace gonio::app
