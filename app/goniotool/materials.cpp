@@ -34,17 +34,6 @@ std::string trainingSetHelp(const std::string& title) {
   return title + ": " + materials::suffixText(materials::isMeasurement, "or") + " files, or folders of them";
 }
 
-std::shared_ptr<const TabulatedBrdf> cellTable(const dictionary::MappedCells& mapping,
-                                               std::span<const glm::vec3> values) {
-  std::vector<TabulatedBrdf::Value> all(mapping.grid.size(), TabulatedBrdf::Value(0));
-  std::vector<std::uint8_t> valid(mapping.grid.size(), 0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    all[mapping.cells[i]] = values[i];
-    valid[mapping.cells[i]] = 1;
-  }
-  return std::make_shared<const TabulatedBrdf>(mapping.grid, std::move(all), std::move(valid));
-}
-
 std::filesystem::path basisBeside(const std::string& plan) {
   return std::filesystem::path(plan).replace_extension(materials::basisSuffix);
 }

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -28,11 +27,6 @@ void addClassOption(CLI::App& command, std::string& materialClass);
 /// The help of an option that names training materials, e.g. "Training set: .binary, .bsdf or .bin files, or folders of
 /// them"; `title` is the part before the colon.
 std::string trainingSetHelp(const std::string& title);
-
-/// Numbers of the cells of a basis, such as standard deviations, as a table to write. @param values one per cell and
-/// channel.
-std::shared_ptr<const TabulatedBrdf> cellTable(const dictionary::MappedCells& mapping,
-                                               std::span<const glm::vec3> values);
 
 /// Path of a plan's basis, beside the plan: PLAN.basis for PLAN.csv.
 std::filesystem::path basisBeside(const std::string& plan);

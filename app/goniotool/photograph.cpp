@@ -17,7 +17,7 @@
 #include "core/photograph/photograph_fit.h"
 #include "core/photograph/photograph_plan.h"
 #include "core/rendering/render_picture.h"
-#include "core/study/photograph_classes.h"
+#include "core/study/training_files.h"
 #include "core/support/text.h"
 
 namespace gonio::tool {
@@ -96,7 +96,8 @@ int fitPhotograph(const PhotographFitArguments& options, const Tool& tool) {
   const double median = medianOf(each);
   const WrittenMaterial written = writeMaterial("photograph", table, options.out, tool);
   if (!options.uncertainty.empty())
-    writeMaterial("deviation", cellTable(basis->components.mapping, deviations), options.uncertainty, tool);
+    writeMaterial("deviation", dictionary::tableOfCells(basis->components.mapping, deviations), options.uncertainty,
+                  tool);
 
   Json json{{"images", Json::array()},
             {"regions", found.regions.size()},
@@ -183,8 +184,9 @@ int planPhotograph(const PhotographPlanArguments& options, const Tool& tool) {
   const auto start = std::chrono::steady_clock::now();
   const auto prior = photograph::photographPrior(basis->components, options.basis.components);
   const std::vector<std::size_t> classes = study::photographClasses(prior);
-  const photograph::PhotographPlan plan = photograph::planPhotographs(
-      prior, description.set, description.candidates, classes, 2, options.plan, tool.control("planning"));
+  const photograph::PhotographPlan plan =
+      photograph::planPhotographs(prior, description.set, description.candidates, classes, study::photographClassCount,
+                                  options.plan, tool.control("planning"));
   const double seconds = secondsSince(start);
   if (!options.out.empty())
     io::writeFileAtomically(options.out, photograph::withChosenCandidates(text, plan.chosen) + "\n");

@@ -200,10 +200,11 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   const double seconds = secondsSince(start);
   const WrittenMaterial written = writeMaterial("reconstruction", found.table, options.out, tool);
   if (!options.uncertainty.empty())
-    writeMaterial("deviation",
-                  cellTable(basis->components.mapping,
-                            std::vector<glm::vec3>(found.standardDeviation.begin(), found.standardDeviation.end())),
-                  options.uncertainty, tool);
+    writeMaterial(
+        "deviation",
+        dictionary::tableOfCells(basis->components.mapping, std::vector<glm::vec3>(found.standardDeviation.begin(),
+                                                                                   found.standardDeviation.end())),
+        options.uncertainty, tool);
   report(options, chosen.equalNoise, found, plan.samples.size(), seconds, trainingSeconds, written, tool);
   return 0;
 }

@@ -104,6 +104,16 @@ ComponentCode encode(const PrincipalComponents& pca, const TabulatedBrdf& table,
   return code;
 }
 
+std::shared_ptr<const TabulatedBrdf> tableOfCells(const MappedCells& mapping, std::span<const glm::vec3> values) {
+  std::vector<TabulatedBrdf::Value> all(mapping.grid.size(), TabulatedBrdf::Value(0));
+  std::vector<std::uint8_t> valid(mapping.grid.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    all[mapping.cells[i]] = values[i];
+    valid[mapping.cells[i]] = 1;
+  }
+  return std::make_shared<const TabulatedBrdf>(mapping.grid, std::move(all), std::move(valid));
+}
+
 std::shared_ptr<const TabulatedBrdf> decode(const PrincipalComponents& pca, const ComponentCode& code,
                                             const TaskControl& control, std::size_t* cappedCount) {
   if (code.components() > pca.count())

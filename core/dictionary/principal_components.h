@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
@@ -21,6 +22,10 @@ struct MappedCells {
   std::vector<float> weights;        ///< cosineWeight() of each
   std::vector<float> reference;      ///< median of rho w over the set, 1/sr
 };
+
+/// Numbers of the cells, such as BRDF values or standard deviations, as a table, in which the other cells are invalid.
+/// @param values one per cell and channel.
+std::shared_ptr<const TabulatedBrdf> tableOfCells(const MappedCells& mapping, std::span<const glm::vec3> values);
 
 /// Principal components of measured materials, in the form of Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling
 /// for Reflectance Acquisition": every colour channel of every material is a column of X, its log-relative values over

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/brdf/density_mixture.h"
 #include "core/brdf/value_bound.h"
@@ -266,26 +267,10 @@ void invertTransform(std::span<double> sums, const Range& limits, const Block& w
 }
 
 void invertTransform(DataTransform transform, std::span<double> sums, const Range& limits, const Block& weights) {
-  switch (transform) {
-    case DataTransform::logPlus:
-      return invertTransform<DataTransform::logPlus>(sums, limits, weights);
-    case DataTransform::cosineLog:
-      return invertTransform<DataTransform::cosineLog>(sums, limits, weights);
-    case DataTransform::root:
-      return invertTransform<DataTransform::root>(sums, limits, weights);
-    case DataTransform::none:
-      return invertTransform<DataTransform::none>(sums, limits, weights);
-    case DataTransform::logPlusTenth:
-      return invertTransform<DataTransform::logPlusTenth>(sums, limits, weights);
-    case DataTransform::logPlusHundredth:
-      return invertTransform<DataTransform::logPlusHundredth>(sums, limits, weights);
-    case DataTransform::gamma15:
-      return invertTransform<DataTransform::gamma15>(sums, limits, weights);
-    case DataTransform::gamma25:
-      return invertTransform<DataTransform::gamma25>(sums, limits, weights);
-    case DataTransform::gamma3:
-      return invertTransform<DataTransform::gamma3>(sums, limits, weights);
-  }
+  const auto invert = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (..., (transform == DataTransform(i) ? invertTransform<DataTransform(i)>(sums, limits, weights) : void()));
+  };
+  invert(std::make_index_sequence<dataTransformNames.size()>());
 }
 
 /// Edited curves may have any values. In single precision, products of three that are limited to maxCurveValue and 1

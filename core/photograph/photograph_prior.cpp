@@ -91,18 +91,6 @@ std::vector<glm::vec3> cellValues(const PhotographPrior& prior, const MatrixX3d&
   return values;
 }
 
-std::shared_ptr<const TabulatedBrdf> trainingTable(const PhotographPrior& prior, std::size_t material) {
-  const std::vector<glm::vec3> of = cellValues(prior, prior.trainingCoefficients(material));
-  const HalfDifferenceGrid& grid = prior.mapping.grid;
-  std::vector<TabulatedBrdf::Value> values(grid.size(), TabulatedBrdf::Value(0));
-  std::vector<std::uint8_t> valid(grid.size(), 0);
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    values[prior.mapping.cells[i]] = of[i];
-    valid[prior.mapping.cells[i]] = 1;
-  }
-  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid));
-}
-
 std::array<MatrixXd, 3> signalImages(const PhotographPrior& prior, const PixelRows& rows, const TaskControl& control) {
   constexpr Index block = 32;
   const Index signals = prior.v.rows();

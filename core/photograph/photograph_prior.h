@@ -40,9 +40,6 @@ PhotographPrior photographPrior(const dictionary::PrincipalComponents& basis,
 std::vector<glm::vec3> cellValues(const PhotographPrior& prior, const Eigen::MatrixX3d& coefficients,
                                   std::vector<glm::vec3>* slopes = nullptr);
 
-/// A training material as the components represent it, on the grid of the prior.
-std::shared_ptr<const TabulatedBrdf> trainingTable(const PhotographPrior& prior, std::size_t material);
-
 /// Logarithms of the pixel values of the training signals, for the light of each channel: [channel](row, signal).
 std::array<Eigen::MatrixXd, 3> signalImages(const PhotographPrior& prior, const PixelRows& rows,
                                             const TaskControl& control = {});

@@ -119,4 +119,13 @@ std::vector<std::string> filesOfClass(const std::vector<std::string>& files, Mat
   return result;
 }
 
+std::vector<std::size_t> photographClasses(const photograph::PhotographPrior& prior) {
+  std::vector<std::size_t> classes(prior.trainingCount());
+  parallelForBlocks(classes.size(), 1, [&](std::size_t m, std::size_t) {
+    const auto table = dictionary::tableOfCells(prior.mapping, cellValues(prior, prior.trainingCoefficients(m)));
+    classes[m] = highlightContrast(*table) >= glossyContrast ? 1 : 0;
+  });
+  return classes;
+}
+
 }  // namespace gonio::study

@@ -6,7 +6,6 @@
 #include "core/photograph/photograph_candidates.h"
 #include "core/photograph/photograph_fit.h"
 #include "core/photograph/photograph_plan.h"
-#include "core/study/photograph_classes.h"
 #include "core/study/training_files.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"
@@ -104,7 +103,8 @@ py::dict planImages(const std::string& text, const std::string& folder, int imag
   const PhotographDescription description = parseDescription(with, folder, false);
   const PhotographPlan plan = resultOf(progress, [&](const TaskControl& control) {
     const PhotographPrior prior = photographPrior(*basis.ofMaterials(), components);
-    return planPhotographs(prior, description.set, description.candidates, study::photographClasses(prior), 2,
+    return planPhotographs(prior, description.set, description.candidates, study::photographClasses(prior),
+                           study::photographClassCount,
                            {.images = images, .materials = materials, .modelNoise = modelNoise}, control);
   });
   py::list chosen, taken, candidates;

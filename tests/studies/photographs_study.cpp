@@ -297,19 +297,19 @@ PhotographSet mitsubaPhotograph(const std::filesystem::path& shared, const std::
   return set;
 }
 
-/// Four pictures by Gonio, the environment turned by a quarter each.
-PhotographSet fourPhotographs(const std::filesystem::path& shared, const Brdf& truth) {
+/// Pictures of a material by Gonio, the environment turned by equal steps.
+PhotographSet photographs(const Brdf& truth, rendering::Scene scene, int count,
+                          const rendering::RenderOptions& options) {
   PhotographSet set;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    rendering::Scene scene = test::mitsubaScene(shared);
-    scene.environmentRotation = quarter * halfPi;
-    photograph::Photograph photo{
-        .name = "rotation " + std::to_string(90 * quarter),
-        .image = rendering::renderPicture(truth, scene,
-                                          {.width = 128, .height = 128, .samples = 32, .seed = 7, .density = {}}),
-        .disc = {},
-        .camera = scene.camera,
-        .light = {.environment = scene.environment, .rotation = scene.environmentRotation}};
+  for (int i = 0; i < count; ++i) {
+    scene.environmentRotation = 2 * pi * i / count;
+    rendering::RenderOptions one = options;
+    one.seed += std::uint64_t(i);
+    photograph::Photograph photo{.name = "image " + std::to_string(i + 1),
+                                 .image = rendering::renderPicture(truth, scene, one),
+                                 .disc = {},
+                                 .camera = scene.camera,
+                                 .light = {.environment = scene.environment, .rotation = scene.environmentRotation}};
     photo.disc = photograph::discOf(photo.camera, photo.image.width, photo.image.height);
     set.photographs.push_back(std::move(photo));
   }
@@ -329,7 +329,10 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
     const auto truthTable = coarse(*meanOfOrders(bakeTable(*truth, HalfDifferenceGrid())));
     const PhotographSet one = mitsubaPhotograph(shared, material);
     for (const bool four : {false, true}) {
-      const PhotographSet set = four ? fourPhotographs(shared, *truth) : one;
+      const PhotographSet set =
+          four ? photographs(*truth, test::mitsubaScene(shared), 4,
+                             {.width = 128, .height = 128, .samples = 32, .seed = 7, .density = {}})
+               : one;
       const auto start = std::chrono::steady_clock::now();
       const std::clock_t startCpu = std::clock();
       const auto fit = photograph::fitPhotographs(prior, set, four ? 1200 : 600);
@@ -447,25 +450,6 @@ ErrorParts errorParts(const dictionary::PrincipalComponents& basis, const photog
   return parts;
 }
 
-/// Pictures of a material by Gonio under a bundled environment, which turns by equal steps.
-PhotographSet calibrationSet(const Brdf& truth, const std::string& environment, int count) {
-  PhotographSet set;
-  for (int i = 0; i < count; ++i) {
-    rendering::Scene scene = rendering::sphereScene(rendering::openEnvironment(environment));
-    scene.environmentRotation = 2 * pi * i / count;
-    photograph::Photograph photo{
-        .name = environment,
-        .image = rendering::renderPicture(
-            truth, scene, {.width = 80, .height = 80, .samples = 32, .seed = std::uint64_t(1 + i), .density = {}}),
-        .disc = {},
-        .camera = scene.camera,
-        .light = {.environment = scene.environment, .rotation = scene.environmentRotation}};
-    photo.disc = photograph::discOf(photo.camera, photo.image.width, photo.image.height);
-    set.photographs.push_back(std::move(photo));
-  }
-  return set;
-}
-
 int calibration(std::size_t count) {
   constexpr std::size_t folds = 8, fourOf = 3;
   const Training training = loadTraining();
@@ -484,7 +468,11 @@ int calibration(std::size_t count) {
       const std::string& environment = environments[i % environments.size()];
       const TabulatedBrdf& truth = *training.tables[m];
       const int images = i % fourOf == 0 ? 4 : 1;
-      const auto fit = photograph::fitPhotographs(prior, calibrationSet(truth, environment, images), 300);
+      const auto fit =
+          photograph::fitPhotographs(prior,
+                                     photographs(truth, rendering::sphereScene(rendering::openEnvironment(environment)),
+                                                 images, {.width = 80, .height = 80, .samples = 32, .density = {}}),
+                                     300);
       double quantile = 0;
       const double within = coverage(basis, fit, truth, *dictionary::decode(basis, fit.code), quantile);
       const ErrorParts parts = errorParts(basis, fit, truth);

@@ -251,7 +251,7 @@ void main() {
     QTest::addColumn<int>("transform");
     for (const DataTransform transform :
          {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::logPlusTenth,
-          DataTransform::gamma15, DataTransform::gamma25, DataTransform::gamma3})
+          DataTransform::logPlusHundredth, DataTransform::gamma15, DataTransform::gamma25, DataTransform::gamma3})
       QTest::newRow(dataTransformNames[std::size_t(transform)].data()) << int(transform);
   }
   /// Codes over several dictionaries: the mixture of decoded tables in the shader is the interpolated code in core,

@@ -5,7 +5,6 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -20,21 +19,11 @@ constexpr double markerSize = 7, ringSize = 15;
 constexpr double hoverReach = 12;
 }  // namespace
 
-ErrorCurve::ErrorCurve(QWidget* parent) : QWidget(parent), m_chart(new QCustomPlot(this)), m_hint(new QLabel(m_chart)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_chart);
+ErrorCurve::ErrorCurve(QWidget* parent)
+    : QWidget(parent), m_chart(new QCustomPlot(this)), m_hint(addHint(*this, *m_chart)) {
   setAccessibleName(tr("Error vs. number of samples"));
   m_chart->setObjectName(QStringLiteral("chart"));
   m_chart->installEventFilter(this);
-  m_chart->axisRect()->setupFullAxesBox(true);
-  m_hint->setAlignment(Qt::AlignCenter);
-  m_hint->setWordWrap(true);
-  m_hint->setForegroundRole(QPalette::PlaceholderText);
-  m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* over = new QVBoxLayout(m_chart);
-  over->setContentsMargins(60, 10, 20, 50);
-  over->addWidget(m_hint);
   refresh();
 }
 

@@ -5,7 +5,6 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -21,24 +20,13 @@ constexpr int markedAngles[] = {0, 1, 5, 10, 20, 30, 45, 60, 90};
 }  // namespace
 
 UncertaintyCurve::UncertaintyCurve(QWidget* parent)
-    : QWidget(parent), m_chart(new QCustomPlot(this)), m_hint(new QLabel(m_chart)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_chart);
+    : QWidget(parent), m_chart(new QCustomPlot(this)), m_hint(addHint(*this, *m_chart)) {
   setAccessibleName(tr("Uncertainty vs. half angle"));
   setToolTip(tr(
       "Standard deviation of the mapped value, nearly the logarithm of the BRDF value, given the photographs: 0.1 is "
       "about 10 %, except in dark cells.\n"
       "The line is the median over all cells of a half angle, the band contains 80 % of them."));
   m_chart->installEventFilter(this);
-  m_chart->axisRect()->setupFullAxesBox(true);
-  m_hint->setAlignment(Qt::AlignCenter);
-  m_hint->setWordWrap(true);
-  m_hint->setForegroundRole(QPalette::PlaceholderText);
-  m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* over = new QVBoxLayout(m_chart);
-  over->setContentsMargins(60, 10, 20, 50);
-  over->addWidget(m_hint);
   refresh();
 }
 

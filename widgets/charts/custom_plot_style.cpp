@@ -2,11 +2,29 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/charts/custom_plot_style.h"
 
+#include <QLabel>
+#include <QVBoxLayout>
 #include <cmath>
 
 #include "core/plots/value_scale.h"
 
 namespace gonio::widgets {
+
+QLabel* addHint(QWidget& widget, QCustomPlot& chart) {
+  auto* layout = new QVBoxLayout(&widget);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(&chart);
+  chart.axisRect()->setupFullAxesBox(true);
+  auto* hint = new QLabel(&chart);
+  hint->setAlignment(Qt::AlignCenter);
+  hint->setWordWrap(true);
+  hint->setForegroundRole(QPalette::PlaceholderText);
+  hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+  auto* over = new QVBoxLayout(&chart);
+  over->setContentsMargins(60, 10, 20, 50);
+  over->addWidget(hint);
+  return hint;
+}
 
 void styleAxis(QCPAxis& axis, const PlotStyle& style, const QFont& font) {
   axis.setBasePen(QPen(style.text, 1));

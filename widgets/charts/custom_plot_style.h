@@ -16,11 +16,16 @@
 
 #include "widgets/charts/plot_style.h"
 
+class QLabel;
+
 namespace gonio::widgets {
 
 /// Colours and fonts of a chart, its axes and its legend.
 void styleChart(QCustomPlot& chart, const PlotStyle& style, const QFont& font);
 void styleAxis(QCPAxis& axis, const PlotStyle& style, const QFont& font);
+/// Fills a widget with a chart that has a box of axes. @return the text in its middle for what is to be done while it
+/// is empty.
+QLabel* addHint(QWidget& widget, QCustomPlot& chart);
 /// Sets the scale of an axis and its ticks: powers of ten on a logarithmic axis.
 void setLogarithmic(QCPAxis& axis, bool logarithmic);
 /// Draws a chart at any size on any device, as vector graphics. Graphs are clipped to their axes beforehand, because

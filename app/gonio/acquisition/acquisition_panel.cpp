@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/acquisition/acquisition_panel.h"
 
+#include <QCoreApplication>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -49,7 +50,8 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(fontMetrics().height() / 2);
-  layout->addWidget(buildControls());
+  m_start->setToolTip(tr("Chooses directions to measure with the settings above; press again to stop"));
+  layout->addWidget(controlColumn(*m_controls, *m_start, *m_progress, *m_status, controlEms));
   layout->addWidget(m_charts, 3);
   layout->addWidget(m_pages, 2);
   connectSession();
@@ -60,35 +62,33 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
 
 QSize AcquisitionPanel::sizeHint() const { return QSize(80, 24) * fontMetrics().height(); }
 
-QWidget* AcquisitionPanel::buildControls() {
+QWidget* controlColumn(QWidget& controls, QPushButton& start, QProgressBar& progress, QLabel& status, int ems) {
   auto* scroll = new QScrollArea;
   scroll->setFocusPolicy(Qt::NoFocus);  // what it holds has the focus
-  scroll->setWidget(m_controls);
+  scroll->setWidget(&controls);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_start->setToolTip(tr("Chooses directions to measure with the settings above; press again to stop"));
-  m_start->setDefault(true);
-  m_progress->setRange(0, 1000);
-  m_progress->setTextVisible(false);
-  m_progress->setFixedHeight(fontMetrics().height() / 2);
-  m_progress->setAccessibleName(tr("Progress"));
-  QSizePolicy kept = m_progress->sizePolicy();
+  auto* column = new QWidget;
+  const QFontMetrics metrics = column->fontMetrics();
+  start.setDefault(true);
+  progress.setRange(0, 1000);
+  progress.setTextVisible(false);
+  progress.setFixedHeight(metrics.height() / 2);
+  progress.setAccessibleName(QCoreApplication::translate("ControlColumn", "Progress"));
+  QSizePolicy kept = progress.sizePolicy();
   kept.setRetainSizeWhenHidden(true);
-  m_progress->setSizePolicy(kept);
-  m_status->setWordWrap(true);
-  m_status->setTextFormat(Qt::PlainText);
-  m_status->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  m_status->setMinimumHeight(2 * fontMetrics().lineSpacing() + 2);
-  auto* widget = new QWidget;
-  auto* layout = new QVBoxLayout(widget);
+  progress.setSizePolicy(kept);
+  status.setWordWrap(true);
+  status.setTextFormat(Qt::PlainText);
+  status.setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  status.setMinimumHeight(2 * metrics.lineSpacing() + 2);
+  auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll, 1);
-  layout->addWidget(m_start);
-  layout->addWidget(m_progress);
-  layout->addWidget(m_status);
-  widget->setFixedWidth(controlEms * fontMetrics().height());
-  return widget;
+  for (QWidget* below : std::initializer_list<QWidget*>{&start, &progress, &status}) layout->addWidget(below);
+  column->setFixedWidth(ems * metrics.height());
+  return column;
 }
 
 void AcquisitionPanel::connectSession() {

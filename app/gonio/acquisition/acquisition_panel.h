@@ -21,6 +21,10 @@ class FactorPage;
 class ReconstructionPage;
 class SamplesPage;
 
+/// The left column of a panel: controls that scroll, and below them a button that starts and stops the work, its
+/// progress (0 to 1000) and a text of at least two lines. @param ems width, in heights of the font.
+QWidget* controlColumn(QWidget& controls, QPushButton& start, QProgressBar& progress, QLabel& status, int ems);
+
 /// The Acquisition workspace: selects the directions of a measurement and reconstructs the whole material from the
 /// measured values. The document does not change until the result is opened, which is an undo step.
 class AcquisitionPanel : public QWidget {
@@ -65,7 +69,6 @@ class AcquisitionPanel : public QWidget {
   QSize sizeHint() const override;
 
  private:
-  QWidget* buildControls();
   void connectSession();
   void connectParts();
   void mark(int sample);

@@ -9,7 +9,6 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,8 @@ PhotographPanel::PhotographPanel(AcquisitionPanel& acquisition, BackgroundTasks&
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(fontMetrics().height() / 2);
-  layout->addWidget(buildLeft());
+  m_start->setToolTip(tr("Reconstructs the material from all photographs; press again to stop"));
+  layout->addWidget(controlColumn(*m_controls, *m_start, *m_progress, *m_status, photographControlEms));
   m_content->addWidget(buildEmpty());
   m_content->addWidget(m_views);
   layout->addWidget(m_content, 1);
@@ -70,37 +70,6 @@ PhotographPanel::PhotographPanel(AcquisitionPanel& acquisition, BackgroundTasks&
 }
 
 QSize PhotographPanel::sizeHint() const { return QSize(80, 24) * fontMetrics().height(); }
-
-QWidget* PhotographPanel::buildLeft() {
-  auto* scroll = new QScrollArea;
-  scroll->setFocusPolicy(Qt::NoFocus);  // what it holds has the focus
-  scroll->setWidget(m_controls);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_start->setDefault(true);
-  m_start->setToolTip(tr("Reconstructs the material from all photographs; press again to stop"));
-  m_progress->setRange(0, 1000);
-  m_progress->setTextVisible(false);
-  m_progress->setFixedHeight(fontMetrics().height() / 2);
-  m_progress->setAccessibleName(tr("Progress"));
-  QSizePolicy kept = m_progress->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);
-  m_progress->setSizePolicy(kept);
-  m_status->setWordWrap(true);
-  m_status->setTextFormat(Qt::PlainText);
-  m_status->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  m_status->setMinimumHeight(2 * fontMetrics().lineSpacing() + 2);
-  auto* left = new QWidget;
-  auto* layout = new QVBoxLayout(left);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll, 1);
-  layout->addWidget(m_start);
-  layout->addWidget(m_progress);
-  layout->addWidget(m_status);
-  left->setFixedWidth(photographControlEms * fontMetrics().height());
-  return left;
-}
 
 QWidget* PhotographPanel::buildEmpty() {
   auto* text =

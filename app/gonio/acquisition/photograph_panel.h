@@ -53,7 +53,6 @@ class PhotographPanel : public QWidget {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  QWidget* buildLeft();
   QWidget* buildEmpty();
   void connectParts();
   void start();

@@ -17,26 +17,11 @@
 namespace gonio::app {
 
 QString transformFormula(DataTransform transform) {
-  switch (transform) {
-    case DataTransform::logPlus:
-      return QStringLiteral("ln(1 + ρ)");
-    case DataTransform::cosineLog:
-      return QStringLiteral("ln(1 + ρ max(cos θi cos θo, 0.001))");
-    case DataTransform::logPlusTenth:
-      return QStringLiteral("ln(1 + ρ / 0.1)");
-    case DataTransform::logPlusHundredth:
-      return QStringLiteral("ln(1 + ρ / 0.01)");
-    case DataTransform::root:
-      return QStringLiteral("√ρ");
-    case DataTransform::gamma15:
-      return QStringLiteral("ρ^(1/1.5)");
-    case DataTransform::gamma25:
-      return QStringLiteral("ρ^(1/2.5)");
-    case DataTransform::gamma3:
-      return QStringLiteral("ρ^(1/3)");
-    default:
-      return QStringLiteral("ρ");
-  }
+  if (transform == DataTransform::cosineLog) return QStringLiteral("ln(1 + ρ max(cos θi cos θo, 0.001))");
+  if (const double offset = logOffset(transform); offset > 0)
+    return offset == 1 ? QStringLiteral("ln(1 + ρ)") : QStringLiteral("ln(1 + ρ / %1)").arg(offset);
+  const double gamma = gammaOf(transform);
+  return gamma == 1 ? QStringLiteral("ρ") : gamma == 2 ? QStringLiteral("√ρ") : QStringLiteral("ρ^(1/%1)").arg(gamma);
 }
 
 namespace {

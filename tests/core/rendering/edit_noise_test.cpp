@@ -35,14 +35,13 @@ double relativeNoise(const Brdf& brdf) {
 class EditNoiseTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Edits are sampled by their own values: at equal samples no edit has more than 1.6 times the noise of its material
-  /// (a narrower highlight has more, whatever its density).
+  /// Edits are sampled by their own values: at equal samples no edit has more than 1.1 times the noise of a measurement
+  /// with these values, a table with a density of its own.
   void anEditConvergesAsItsMaterial() {
     for (const char* path : {"library:merl-copy/alum-bronze", "library:merl-copy/blue-metallic-paint",
                              "library:merl-copy/red-fabric", "library:rgl/satin_purple"}) {
       const auto base = materials::readLibraryMaterial(path).brdf;
       const auto table = bakeTable(*base, {.thetaHCount = 45, .thetaDCount = 30, .phiDCount = 60});
-      const double before = relativeNoise(*base);
       for (const models::Model* model : {&models::ggx(), &models::layered()}) {
         DifferentialEdit change;
         change.model = model;
@@ -51,10 +50,11 @@ class EditNoiseTest : public QObject {
         for (const double factor : {0.5, 2.0}) {
           change.controls.values[std::size_t(ArtistControl::roughness)] = Rgb(factor);
           const Edit edit{change};
-          const double after = relativeNoise(*applyEdits(base, std::span(&edit, 1)));
-          qInfo("%s by %s, %g times: %.4f, unedited %.4f: %.2f", path, model->spec().id.data(), factor, after, before,
-                after / before);
-          QVERIFY2(after < 1.6 * before, path);
+          const auto edited = applyEdits(base, std::span(&edit, 1));
+          const double found = relativeNoise(*edited), measured = relativeNoise(*bakeTable(*edited, {}));
+          qInfo("%s by %s, %g times: %.4f, as a table %.4f: %.2f", path, model->spec().id.data(), factor, found,
+                measured, found / measured);
+          QVERIFY2(found < 1.1 * measured, path);
         }
       }
     }
