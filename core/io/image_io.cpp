@@ -7,7 +7,6 @@
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
 
-#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -39,29 +38,6 @@ bool reachesItsEnd(std::span<const std::byte> jpeg) {
   return false;
 }
 
-Image decodeEncoded(std::span<const std::byte> bytes) {
-  constexpr std::int64_t mostSide = 32768, mostPixels = std::int64_t(1) << 27;
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
-    throw Error("found more than 2 GB, expected an image");
-  const int size = int(bytes.size());
-  const bool isJpeg = size > 2 && data[0] == 0xff && data[1] == 0xd8;
-  if (isJpeg && !reachesItsEnd(bytes)) throw Error("found a JPEG image without its end, expected a whole one");
-  int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) failEncoded();
-  if (width > mostSide || height > mostSide || std::int64_t(width) * height > mostPixels)
-    throw Error("found " + std::to_string(width) + " x " + std::to_string(height) +
-                " pixels, expected at most 32768 per side and 2^27 in total");
-  const std::unique_ptr<stbi_us, void (*)(void*)> values(
-      stbi_load_16_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
-  if (!values) failEncoded();
-  Image image(width, height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    for (int channel = 0; channel < 3; ++channel)
-      image.pixels[i][channel] = float(values.get()[3 * i + std::size_t(channel)]) / 65535.0f;
-  return image;
-}
-
 void checkShape(bool matches, int width, int height) {
   if (!matches || width < 1 || height < 1)
     throw Error("an image of " + std::to_string(width) + " x " + std::to_string(height) +
@@ -80,8 +56,29 @@ ImageFile readImageFile(const std::filesystem::path& path) {
   return withFileInErrors(path, [&] { return readImageFile(FileSource(path).readAll()); });
 }
 
+Image readEncodedImage(std::span<const std::byte> bytes) {
+  constexpr std::size_t maxPixelsPerByte = 16384;  // deflate shrinks to a thousandth; eight pixels of one bit a byte
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
+    throw Error("found more than 2 GB, expected an image");
+  const int size = int(bytes.size());
+  const bool isJpeg = size > 2 && data[0] == 0xff && data[1] == 0xd8;
+  if (isJpeg && !reachesItsEnd(bytes)) throw Error("found a JPEG image without its end, expected a whole one");
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) failEncoded();
+  checkImageSize(width, height, bytes.size(), maxPixelsPerByte);
+  const std::unique_ptr<stbi_us, void (*)(void*)> values(
+      stbi_load_16_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
+  if (!values) failEncoded();
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      image.pixels[i][channel] = float(values.get()[3 * i + std::size_t(channel)]) / 65535.0f;
+  return image;
+}
+
 Image readEncodedImage(const std::filesystem::path& path) {
-  return withFileInErrors(path, [&] { return decodeEncoded(FileSource(path).readAll()); });
+  return withFileInErrors(path, [&] { return readEncodedImage(FileSource(path).readAll()); });
 }
 
 Image readImage(std::span<const std::byte> bytes) { return readImageFile(bytes).image; }

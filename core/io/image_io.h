@@ -39,6 +39,8 @@ Image readImage(std::span<const std::byte> bytes);
 /// Reads a PNG or JPEG image: the values as they are stored, of 8 or 16 bit, scaled to 0 to 1. They are not linear, and
 /// profiles and alpha are not read. The size is limited as above. @throws Error that names the file.
 Image readEncodedImage(const std::filesystem::path& path);
+/// The same for bytes in memory; the error names no file.
+Image readEncodedImage(std::span<const std::byte> bytes);
 
 /// Writes 32-bit float OpenEXR (RGB, and A where the image has alpha; ZIP) with text attributes, atomically.
 /// @throws Error that names the file.

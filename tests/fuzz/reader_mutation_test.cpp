@@ -3,6 +3,8 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
 
 #include <QTest>
 #include <array>
@@ -127,6 +129,19 @@ Bytes unusualExrSeed(bool isCube) {
   return test::readFile(path);
 }
 
+Bytes encodedSeed(bool isJpeg) {
+  std::vector<unsigned char> rgba(16 * 12 * 4);
+  for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = static_cast<unsigned char>(i * 7);
+  if (!isJpeg) return io::encodePng(rgba, 16, 12);
+  Bytes bytes;
+  const auto collect = [](void* user, void* data, int count) {
+    const std::span added(static_cast<const std::byte*>(data), std::size_t(count));
+    static_cast<Bytes*>(user)->insert(static_cast<Bytes*>(user)->end(), added.begin(), added.end());
+  };
+  stbi_write_jpg_to_func(collect, &bytes, 16, 12, 4, rgba.data(), 90);
+  return bytes;
+}
+
 /// "" when all mutations of the seed were read or refused as they should.
 std::string firstFailure(const std::string& name, const Bytes& seed, const Target& target) {
   test::writeFile("fuzz/seeds/" + name, seed);  // libFuzzer starts from these
@@ -197,6 +212,7 @@ class ReaderMutationTest : public QObject {
     readImageBytes(oldHdrSeed());
     readImageBytes(exrSeed());
     for (const bool isCube : {false, true}) readImageBytes(unusualExrSeed(isCube));
+    for (const bool isJpeg : {false, true}) readEncodedImageBytes(encodedSeed(isJpeg));
     readGlbBytes(skinSeed());
     readPlyBytes(stripsSeed());
     readStlBytes(stlSeed());
@@ -248,6 +264,8 @@ class ReaderMutationTest : public QObject {
   void oldHdr() { check("old.hdr", oldHdrSeed(), readImageBytes); }
   void luminanceChroma() { check("chroma.exr", unusualExrSeed(false), readImageBytes); }
   void cube() { check("cube.exr", unusualExrSeed(true), readImageBytes); }
+  void png() { check("picture.png", encodedSeed(false), readEncodedImageBytes); }
+  void jpeg() { check("picture.jpg", encodedSeed(true), readEncodedImageBytes); }
   void skin() { check("skin.gltf", skinSeed(), readGlbBytes); }
   void strips() { check("strips.ply", stripsSeed(), readPlyBytes); }
   void stl() { check("mesh.stl", stlSeed(), readStlBytes); }

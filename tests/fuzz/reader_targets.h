@@ -186,6 +186,17 @@ inline void readImageBytes(std::span<const std::byte> bytes) {
     throw std::logic_error("light from nowhere");
 }
 
+/// What PNG and JPEG files store lies between 0 and 1.
+inline void readEncodedImageBytes(std::span<const std::byte> bytes) {
+  const Image image = io::readEncodedImage(bytes);
+  const auto isStored = [](const glm::vec3& pixel) {
+    return glm::all(glm::greaterThanEqual(pixel, glm::vec3(0))) && glm::all(glm::lessThanEqual(pixel, glm::vec3(1)));
+  };
+  if (image.pixels.size() != std::size_t(image.width) * std::size_t(image.height) ||
+      !std::ranges::all_of(image.pixels, isStored))
+    throw std::logic_error("a picture with values that no file stores");
+}
+
 inline void readDocumentBytes(std::span<const std::byte> bytes) {
   const auto document = documents::documentFromText(std::string(textOf(bytes)));
   for (const editing::Edit& edit : document.edits) {

@@ -306,7 +306,7 @@ class ImageIoTest : public QObject {
     for (std::size_t size = 0; size < whole.size(); ++size)
       QVERIFY2(!errorOf([&] { io::readImage(std::span(whole).first(size)); }).empty(), std::to_string(size).c_str());
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{
-             {0, 1}, {-4, 4}, {30000, 30000}, {2147483647, 2147483647}, {100000, 1}, {2000, 2000}})
+             {0, 1}, {-4, 4}, {11000, 11000}, {2147483647, 2147483647}, {100000, 1}, {2000, 2000}})
       QVERIFY(contains(errorOf([&, width = width, height = height] {
                          io::readImage(flatHdr(width, height, {{1, 2, 3, 4}}));
                        }),
@@ -364,6 +364,15 @@ class ImageIoTest : public QObject {
       QVERIFY(glm::length(pixel - glm::vec3(100 / 255.0f)) < 0.02f);
     writeFile("io/image/stored.png", bytesOf("text"));
     QVERIFY(contains(errorOf([&] { io::readEncodedImage(path); }), "stored.png"));
+    // A frame of 11000 x 11000 pixels in some hundred bytes.
+    Bytes huge = jpeg;
+    const Bytes marker = {std::byte(0xff), std::byte(0xc0)};
+    const auto frame = std::ranges::search(huge, marker).begin();
+    for (int i = 5; i < 9; i += 2) {
+      frame[i] = std::byte(11000 >> 8);
+      frame[i + 1] = std::byte(11000 & 255);
+    }
+    QVERIFY(contains(errorOf([&] { io::readEncodedImage(huge); }), "11000 x 11000 pixels in"));
     // Also where stb would fill up the picture with zeros.
     for (jpeg.pop_back(); jpeg.size() > 2; jpeg.pop_back()) {
       writeFile("io/image/stored.png", jpeg);
