@@ -108,9 +108,8 @@ struct Planned {
   Eigen::Index signals = 0;
 };
 
-Planned planned(const PlanArguments& options, const SelectionOptions& chosen,
-                const dictionary::PrincipalComponents& components, std::size_t materials, double trainingSeconds,
-                const Tool& tool) {
+Planned planned(const SelectionOptions& chosen, const dictionary::PrincipalComponents& components,
+                std::size_t materials, double trainingSeconds, const Tool& tool) {
   const auto start = std::chrono::steady_clock::now();
   Planned result{.selection = selectSamples(components, chosen, tool.control("choosing directions")),
                  .trainingSeconds = trainingSeconds,
@@ -118,7 +117,7 @@ Planned planned(const PlanArguments& options, const SelectionOptions& chosen,
                  .signals = components.svd.v.rows()};
   result.seconds = secondsSince(start);
   result.plan = planFor(components.mapping.grid, result.selection.cells);
-  result.plan.method = options.method;
+  result.plan.method = result.selection.method;
   return result;
 }
 
@@ -129,7 +128,7 @@ void report(const PlanArguments& options, const Planned& planned, const Json& ba
   const SampleSelection& selection = planned.selection;
   const double travel = travelDegrees(planned.plan);
   Json json{{"samples", planned.plan.samples.size()},
-            {"method", options.method},
+            {"method", selection.method},
             {"over", options.over},
             {"seconds", planned.seconds},
             {"trainingSeconds", planned.trainingSeconds},
@@ -142,10 +141,10 @@ void report(const PlanArguments& options, const Planned& planned, const Json& ba
   if (!basis.is_null()) json.update(basis);
   if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
   print(tool, json,
-        options.out + ": " + std::to_string(planned.plan.samples.size()) + " samples by " + options.method + " in " +
-            number(planned.seconds) + " s, condition number " + number(selection.conditionNumber) +
-            ", travel of the arms " + number(travel) + " degrees\n" + learning + "\n" +
-            (selection.warning.empty() ? "" : selection.warning + "\n"));
+        options.out + ": " + std::to_string(planned.plan.samples.size()) + " samples by " +
+            std::string(selection.method) + " in " + number(planned.seconds) + " s, condition number " +
+            number(selection.conditionNumber) + ", travel of the arms " + number(travel) + " degrees\n" + learning +
+            "\n" + (selection.warning.empty() ? "" : selection.warning + "\n"));
 }
 
 std::string learnedIn(double seconds) {
@@ -172,7 +171,7 @@ int planOverDictionaries(const PlanArguments& options, const Tool& tool) {
   const auto components = acquisition::atomComponents(
       dictionary->ensemble, prior, std::max({defaultAtomSignals, chosen.samples, usedComponents(chosen)}),
       tool.control("decomposing atoms"));
-  Planned result = planned(options, chosen, components, files.size(), secondsSince(start), tool);
+  Planned result = planned(chosen, components, files.size(), secondsSince(start), tool);
   result.plan.method += ", dictionaries";
   acquisition::writePlan(result.plan, options.out, {"dictionaries, training set: " + trainingSet});
   report(options, result, {},
@@ -199,7 +198,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   const study::LearnedBasis learned =
       basisOfSources(options.train, options.excluded, std::max(wanted, used), tool, precision, options.materialClass);
   const materials::BasisFile& basis = *learned.basis;
-  Planned result = planned(options, chosen, basis.components, basis.learnedFrom.size(), learned.seconds, tool);
+  Planned result = planned(chosen, basis.components, basis.learnedFrom.size(), learned.seconds, tool);
   const int components = std::min(wanted, basis.components.count());
   const std::string trainingSet = std::to_string(basis.learnedFrom.size()) + " materials";
   // A plan names its basis: without the one the other is not written.
@@ -247,12 +246,15 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->group(outputGroup)
       ->required();
   command
-      ->add_option(
-          "--method", options->method,
-          "somp: simultaneous orthogonal matching pursuit (FROST); somp-first-columns: the same over the first "
-          "training signals only; somp-unnormalised: Algorithm 4 as printed, without the normalisation of the columns; "
-          "condition-number: search for the smallest condition number; random: random "
-          "directions; uniform: evenly spread directions; a-optimal: smallest expected variance of all cells (somp)")
+      ->add_option("--method", options->method,
+                   "auto: a-optimal for up to " + std::to_string(mostAOptimalSamples) +
+                       " samples, somp for more; somp: simultaneous orthogonal matching pursuit (FROST); "
+                       "somp-first-columns: the same over the first "
+                       "training signals only; somp-unnormalised: Algorithm 4 as printed, without the normalisation of "
+                       "the columns; "
+                       "condition-number: search for the smallest condition number; random: random "
+                       "directions; uniform: evenly spread directions; a-optimal: smallest expected variance of all "
+                       "cells (auto)")
       ->check(CLI::IsMember(std::vector<std::string>(selectionMethodNames.begin(), selectionMethodNames.end())));
   command
       ->add_option(

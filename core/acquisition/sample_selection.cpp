@@ -157,13 +157,21 @@ void checkSelection(const PrincipalComponents& basis, const SelectionOptions& op
 
 }  // namespace
 
-int usedComponents(const SelectionOptions& options) {
-  if (options.components > 0) return options.components;
-  return options.method == SelectionMethod::aOptimal ? std::max(options.samples, aOptimalComponents) : options.samples;
+SelectionMethod usedMethod(const SelectionOptions& options) {
+  if (options.method != SelectionMethod::automatic) return options.method;
+  return options.samples <= mostAOptimalSamples ? SelectionMethod::aOptimal : SelectionMethod::simultaneousPursuit;
 }
 
-SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionOptions& options,
+int usedComponents(const SelectionOptions& options) {
+  if (options.components > 0) return options.components;
+  return usedMethod(options) == SelectionMethod::aOptimal ? std::max(options.samples, aOptimalComponents)
+                                                          : options.samples;
+}
+
+SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionOptions& requested,
                               const TaskControl& control, const Chosen& chosen) {
+  SelectionOptions options = requested;
+  options.method = usedMethod(requested);
   checkSelection(basis, options);
   const Rows rows = measurableRows(basis, options.measurable);
   if (rows.empty())
@@ -172,6 +180,7 @@ SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionO
                                ? selectAOptimal(basis, options, rows, control, chosen)
                            : isPursuit(options.method) ? pursue(basis, options, rows, control, chosen)
                                                        : selectOtherwise(basis, options, rows, control, chosen);
+  result.method = selectionMethodNames[std::size_t(options.method)];
   if (result.warning.empty() && result.conditionNumber > maxReliableCondition)
     result.warning = "the chosen directions are nearly dependent (condition number " +
                      numberText(float(result.conditionNumber)) + "): errors of the readings may be amplified";

@@ -17,6 +17,7 @@
 namespace gonio::acquisition {
 
 enum class SelectionMethod {
+  automatic,  ///< usedMethod()
   /// Over all training signals: FROST (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
   /// Acquisition", Algorithm 4).
   simultaneousPursuit,
@@ -31,14 +32,17 @@ enum class SelectionMethod {
 };
 
 /// Names in JSON, in plans and on the command line, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 7> selectionMethodNames{
-    "somp", "somp-first-columns", "somp-unnormalised", "condition-number", "random", "uniform", "a-optimal"};
+inline constexpr std::array<std::string_view, 8> selectionMethodNames{
+    "auto", "somp", "somp-first-columns", "somp-unnormalised", "condition-number", "random", "uniform", "a-optimal"};
+
+/// Number of samples up to which `automatic` chooses aOptimal.
+inline constexpr int mostAOptimalSamples = 20;
 
 /// Minimum number of components of aOptimal if SelectionOptions::components is 0.
 inline constexpr int aOptimalComponents = 30;
 
 struct SelectionOptions {
-  SelectionMethod method = SelectionMethod::simultaneousPursuit;
+  SelectionMethod method = SelectionMethod::automatic;
   int samples = 20;  ///< number of samples m
   /// Number p of components for the pursuits and aOptimal; limited to the number in the basis. 0: as many as samples,
   /// but for aOptimal at least aOptimalComponents.
@@ -48,10 +52,16 @@ struct SelectionOptions {
   int restarts = 5;        ///< for conditionNumber: searches from random starts; the best one is used
 };
 
+/// The method itself, or what `automatic` stands for: the one with the more accurate reconstructions of measured
+/// materials (docs/results/acquisition-study.md), which is aOptimal for up to mostAOptimalSamples samples and
+/// simultaneousPursuit for more.
+SelectionMethod usedMethod(const SelectionOptions& options);
+
 /// Number p of components that the pursuits and aOptimal use, before it is limited to the number in the basis.
 int usedComponents(const SelectionOptions& options);
 
 struct SampleSelection {
+  std::string_view method;           ///< name of usedMethod()
   std::vector<std::uint32_t> cells;  ///< indices into the basis' grid, in the order of choice, distinct
   /// Before the first choice and after each; never increases. Pursuits: |R| / |S|, in Frobenius norms; aOptimal:
   /// AOptimalSelection::residuals; others: none.

@@ -217,7 +217,7 @@ py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int
   const auto found = std::ranges::find(selectionMethodNames, method);
   if (found == selectionMethodNames.end())
     throw Error("method: found '" + method +
-                "', expected somp, somp-first-columns, somp-unnormalised, condition-number, random, uniform or "
+                "', expected auto, somp, somp-first-columns, somp-unnormalised, condition-number, random, uniform or "
                 "a-optimal");
   const SelectionOptions options{.method = SelectionMethod(found - selectionMethodNames.begin()),
                                  .samples = samples,
@@ -228,7 +228,7 @@ py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int
   const SampleSelection selection = resultOf(
       progress, [&](const TaskControl& control) { return selectSamples(*basis.components, options, control); });
   SamplingPlan planned = planFor(basis.components->mapping.grid, selection.cells);
-  planned.method = method;
+  planned.method = selection.method;
   return py::make_tuple(planned, selection.conditionNumber, selection.residuals, selection.warning);
 }
 

@@ -326,7 +326,7 @@ class Plan:
         return Readings(*self._handle.read_values(os.fsencode(path)))
 
 
-def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp", components: int = 0,
+def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "auto", components: int = 0,
          max_polar_angle: float = math.radians(85), min_separation: float = 0.0, forbidden: Sequence[Box] = (), seed: int = 1,
          restarts: int = 5, progress: Progress = None) -> Plan:
     """Chooses the directions at which to measure a material.
@@ -334,11 +334,12 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
     Args:
         samples: Number of pairs of directions.
         basis: Principal components of the training set; None: gonio.learn_basis().
-        method: "somp" (simultaneous orthogonal matching pursuit, FROST; Tongbuasirilai 2023, Data-Driven Approaches for
-            Sparse Reflectance Modeling and Acquisition, Algorithm 4), "somp-first-columns" (the same over the first
-            training signals alone, as in the authors' code), "somp-unnormalised" (Algorithm 4 as printed, without the
-            normalisation of the columns), "condition-number" (Nielsen et al. 2015), "random",
-            "uniform" or "a-optimal" (the smallest expected variance of all cells, docs/acquisition.md).
+        method: "auto" ("a-optimal" for up to 20 samples, "somp" for more), "somp" (simultaneous orthogonal matching
+            pursuit, FROST; Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition,
+            Algorithm 4), "somp-first-columns" (the same over the first training signals alone, as in the authors' code),
+            "somp-unnormalised" (Algorithm 4 as printed, without the normalisation of the columns), "condition-number"
+            (Nielsen et al. 2015), "random", "uniform" or "a-optimal" (the smallest expected variance of all cells,
+            docs/acquisition.md).
         components: Number of components that the choice uses; 0: the number of samples, with "a-optimal" at least 30.
         max_polar_angle: Maximum polar angle of both directions, rad.
         min_separation: Minimum angle between light and viewer, rad; 0: no limit.

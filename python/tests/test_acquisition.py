@@ -65,7 +65,8 @@ def test_codes_of_patches(tmp_path):
 
 def test_plan_measure_reconstruct(basis, files, tmp_path):
     plan = gonio.plan(5, basis)
-    assert len(plan) == 5 and plan.method == "somp" and plan.warning == ""
+    assert len(plan) == 5 and plan.method == "a-optimal" and plan.warning == ""
+    assert gonio.plan(5, basis, method="somp").method == "somp"
     assert np.all(np.diff(plan.residuals) <= 0) and np.isfinite(plan.condition_number)
     assert sorted(plan.order) == list(range(5))
     assert plan.wi[:, 2].min() > np.cos(np.radians(85)) - 1e-9
@@ -94,7 +95,7 @@ def test_reconstruction_as_published(basis, paint):
 
 
 def test_files_of_plans_and_values(basis, paint, tmp_path):
-    plan = gonio.plan(5, basis, max_polar_angle=1.0, forbidden=[((0, 0.2), (0, 1.57), (0, 3.14))])
+    plan = gonio.plan(5, basis, max_polar_angle=1.0, forbidden=[((0, 0.2), (0, np.pi / 2), (0, np.pi))])
     cosines = plan.wi[:, 2]
     assert cosines.max() <= np.cos(0.2) + 1e-6 and cosines.min() >= np.cos(1.0) - 1e-6
     plan.save(tmp_path / "plan.csv")

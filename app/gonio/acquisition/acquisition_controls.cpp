@@ -83,6 +83,8 @@ void DirectionRows::buildSamples(QFormLayout& form) {
 void DirectionRows::buildMethod(QFormLayout& form) {
   m_method = rowBox(tr("Method that chooses the directions"));
   const std::tuple<acquisition::SelectionMethod, QString, QString> methods[] = {
+      {acquisition::SelectionMethod::automatic, tr("Automatic"),
+       tr("A-optimal for up to %n samples, SOMP over all signals for more", nullptr, acquisition::mostAOptimalSamples)},
       {acquisition::SelectionMethod::simultaneousPursuit, tr("SOMP, all signals"),
        tr("Simultaneous orthogonal matching pursuit over all training signals, one for each colour channel of each "
           "material (FROST)")},

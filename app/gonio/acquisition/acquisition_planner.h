@@ -53,7 +53,7 @@ struct PlanSettings {
   TrainingSet training = libraryTraining();
   study::MaterialClass materialClass = study::MaterialClass::all;  ///< the part of the training set that is used
   bool leaveOutReference = true;  ///< excludes the measured material from the training set
-  acquisition::SelectionMethod method = acquisition::SelectionMethod::simultaneousPursuit;
+  acquisition::SelectionMethod method = acquisition::SelectionMethod::automatic;
   /// Selects over the atoms of the bundled dictionaries (acquisition::atomComponents()) instead of the principal
   /// components, which still reconstruct the material.
   bool overAtoms = false;

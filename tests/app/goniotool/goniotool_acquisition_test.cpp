@@ -26,7 +26,7 @@ class GoniotoolAcquisitionTest : public QObject {
                          HalfDifferenceGrid());
     plan_ = folder_.path("plan.csv");
     planned_ = runJson({"plan", "--train", folder_.path(), "--samples", "12", "--max-polar", "80", "--min-separation",
-                        "3", "--forbid", "theta_o=60:90", "--out", plan_});
+                        "3", "--forbid", "theta_o=60:90", "--method", "somp", "--out", plan_});
     VERIFY_SUCCESS(planned_);
   }
 
@@ -42,6 +42,10 @@ class GoniotoolAcquisitionTest : public QObject {
       QVERIFY(polarAngle(sample.directions.wo) < radians(60));
       QVERIFY(glm::length(sample.directions.wi - sample.directions.wo) > 2 * std::sin(radians(1.49)));
     }
+    const ToolResult automatic =
+        runJson({"plan", "--train", folder_.path(), "--samples", "12", "--out", folder_.path("automatic.csv")});
+    VERIFY_SUCCESS(automatic);
+    QCOMPARE(automatic.json["method"].get<std::string>(), std::string("a-optimal"));
     const auto basis = materials::readBasis(std::filesystem::path(planned_.json["basis"].get<std::string>()));
     QCOMPARE(QString::fromStdString(planned_.json["basis"]), folder_.path("plan.basis"));
     QCOMPARE(basis->learnedFrom.size(), std::size_t(4));

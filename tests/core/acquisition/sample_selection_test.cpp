@@ -124,7 +124,10 @@ class SampleSelectionTest : public QObject {
         return (s - support * test::leastSquares(support, s)).norm() / s.norm();
       };
       for (const int samples : {1, 2, 3, 5}) {
-        const SelectionOptions options{.samples = samples, .components = 8, .measurable = everything};
+        const SelectionOptions options{.method = SelectionMethod::simultaneousPursuit,
+                                       .samples = samples,
+                                       .components = 8,
+                                       .measurable = everything};
         double best = 1;
         for (unsigned subset = 1; subset < 256; ++subset)
           if (std::popcount(subset) == samples) best = std::min(best, residualOf(even, subset));
@@ -140,14 +143,17 @@ class SampleSelectionTest : public QObject {
   /// Orthonormal training signals: whatever is chosen, each choice explains the same fraction.
   void residualsOfOrthonormalSignals() {
     const SampleSelection selection =
-        selectSamples(randomBasis(200, 40, 10, 3), {.samples = 10, .measurable = everything});
+        selectSamples(randomBasis(200, 40, 10, 3),
+                      {.method = SelectionMethod::simultaneousPursuit, .samples = 10, .measurable = everything});
     for (std::size_t k = 0; k < selection.residuals.size(); ++k)
       QVERIFY(std::abs(selection.residuals[k] - std::sqrt(1 - double(k) / 10)) < 1e-7);
   }
 
   void conditionOfTheChosenRows() {
     const auto basis = randomBasis(150, 30, 9, 5);
-    const SampleSelection selection = selectSamples(basis, {.samples = 6, .components = 9, .measurable = everything});
+    const SampleSelection selection = selectSamples(
+        basis,
+        {.method = SelectionMethod::simultaneousPursuit, .samples = 6, .components = 9, .measurable = everything});
     Eigen::MatrixXd rows(6, 9);
     for (Eigen::Index i = 0; i < 6; ++i) {
       const auto at =
@@ -159,6 +165,18 @@ class SampleSelectionTest : public QObject {
     QVERIFY(std::abs(selection.conditionNumber - values[0] / values[5]) < 1e-10 * selection.conditionNumber);
   }
 
+  void automaticIsTheMethodThatItNames() {
+    const auto basis = randomBasis(300, 60, 40, 5);
+    for (const auto& [samples, method] : {std::pair(mostAOptimalSamples, SelectionMethod::aOptimal),
+                                          std::pair(mostAOptimalSamples + 1, SelectionMethod::simultaneousPursuit)}) {
+      const SampleSelection automatic = selectSamples(basis, {.samples = samples, .measurable = everything});
+      const SampleSelection named =
+          selectSamples(basis, {.method = method, .samples = samples, .measurable = everything});
+      QVERIFY(automatic.cells == named.cells && automatic.residuals == named.residuals);
+      QCOMPARE(automatic.method, selectionMethodNames[std::size_t(method)]);
+    }
+  }
+
   void tellsEachChoiceAndProgress() {
     const auto basis = randomBasis(300, 30, 10, 4);
     std::vector<std::uint32_t> reported;
@@ -168,7 +186,8 @@ class SampleSelectionTest : public QObject {
       last = fraction;
     }};
     const SampleSelection selection =
-        selectSamples(basis, {.samples = 8}, control, [&](std::uint32_t cell) { reported.push_back(cell); });
+        selectSamples(basis, {.method = SelectionMethod::simultaneousPursuit, .samples = 8}, control,
+                      [&](std::uint32_t cell) { reported.push_back(cell); });
     QVERIFY(reported == selection.cells);
     QVERIFY(last == 1);
   }

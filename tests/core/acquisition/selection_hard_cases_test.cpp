@@ -62,7 +62,8 @@ class SelectionHardCasesTest : public QObject {
       }
     }
     const auto zero = basisOf(Eigen::MatrixXd::Zero(60, 8), orthonormalColumns(30, 8, 1));
-    const SampleSelection none = selectSamples(zero, {.samples = 3, .measurable = everything});
+    const SampleSelection none =
+        selectSamples(zero, {.method = SelectionMethod::simultaneousPursuit, .samples = 3, .measurable = everything});
     QVERIFY(none.cells.empty() && !none.warning.empty());
   }
 
@@ -73,7 +74,8 @@ class SelectionHardCasesTest : public QObject {
       Eigen::MatrixXd u(75, 8);
       for (Eigen::Index i = 0; i < 75; ++i) u.row(i) = few.row(i % 25);
       const auto v = orthonormalColumns(30, 8, 40 + seed);
-      const SelectionOptions options{.samples = 8, .measurable = everything};
+      const SelectionOptions options{
+          .method = SelectionMethod::simultaneousPursuit, .samples = 8, .measurable = everything};
       const SampleSelection selection = selectSamples(basisOf(u, v), options);
       QCOMPARE(selection.cells, selectSamples(basisOf(few, v), options).cells);  // the lowest index of equals
       for (Eigen::Index i = 25; i < 75; ++i) u.row(i) *= i < 50 ? -2 : 0.25;
@@ -96,7 +98,9 @@ class SelectionHardCasesTest : public QObject {
         QVERIFY(selection.residuals.back() <= 1e-10);
         QVERIFY(selection.warning.find("of 20") != std::string::npos);
       }
-    QVERIFY(selectSamples(basis, {.samples = 6, .measurable = everything}).warning.empty());
+    QVERIFY(
+        selectSamples(basis, {.method = SelectionMethod::simultaneousPursuit, .samples = 6, .measurable = everything})
+            .warning.empty());
   }
 
   /// Atoms that span fewer dimensions than there are components: as many are chosen as are independent.
@@ -128,7 +132,8 @@ class SelectionHardCasesTest : public QObject {
     // A cell that depends on exactly this one direction.
     Eigen::Map<Eigen::MatrixXf>(basis.svd.u.values.data(), 50, 8).row(20) =
         (v.row(0).cwiseProduct(basis.svd.singularValues.transpose()) * 1e-3).cast<float>();
-    const SampleSelection selection = selectSamples(basis, {.samples = 8, .measurable = everything});
+    const SampleSelection selection =
+        selectSamples(basis, {.method = SelectionMethod::simultaneousPursuit, .samples = 8, .measurable = everything});
     QCOMPARE(selection.cells.front(), basis.mapping.cells[20]);
     QVERIFY(selection.residuals[1] < 1e-6);
   }
@@ -148,7 +153,9 @@ class SelectionHardCasesTest : public QObject {
   /// Every cell chosen is one that the rig can see, although the best ones may not be.
   void forbiddenRegions() {
     const auto basis = randomBasis(500, 30, 8, 6);
-    const auto best = selectSamples(basis, {.samples = 8, .measurable = everything}).cells;
+    const auto best =
+        selectSamples(basis, {.method = SelectionMethod::simultaneousPursuit, .samples = 8, .measurable = everything})
+            .cells;
     MeasurableDirections rig{.maxPolarAngle = radians(60), .minSeparation = radians(15)};
     rig.forbidden.push_back({.thetaI = {0, radians(30)}});
     const auto allowed = measurableCells(basis, rig);
