@@ -2,13 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/image_io.h"
 
+#include <spng.h>
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
-#define STBI_NO_STDIO
-#include <stb/stb_image.h>
+#include <turbojpeg.h>
 
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
@@ -20,22 +23,64 @@ namespace gonio::io {
 
 namespace {
 
-/// @throws Error that says why stb cannot read the bytes.
-[[noreturn]] void failEncoded() {
-  throw Error(std::string("found no PNG or JPEG image that can be read (") + stbi_failure_reason() + ")");
+/// Whether deflate and Huffman codes can hold so many pixels: deflate shrinks to a thousandth, eight pixels a byte.
+constexpr std::size_t maxEncodedPixelsPerByte = 16384;
+
+bool isPng(std::span<const std::byte> bytes) {
+  constexpr unsigned char magic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  return bytes.size() >= sizeof magic && std::memcmp(bytes.data(), magic, sizeof magic) == 0;
 }
 
-/// Whether a JPEG file has its end marker, without which stb reads zeros. Segments before the scan are passed over:
-/// thumbnails in them have such markers of their own.
-bool reachesItsEnd(std::span<const std::byte> jpeg) {
-  constexpr unsigned marker = 0xff, startOfScan = 0xda, endOfImage = 0xd9;
-  const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(jpeg[i]); };
-  std::size_t i = 2;
-  while (i + 4 <= jpeg.size() && at(i) == marker && at(i + 1) != startOfScan)
-    i += at(i + 1) == marker ? 1 : 2 + (at(i + 2) << 8 | at(i + 3));
-  for (; i + 2 <= jpeg.size(); ++i)
-    if (at(i) == marker && at(i + 1) == endOfImage) return true;
-  return false;
+bool isJpeg(std::span<const std::byte> bytes) {
+  constexpr unsigned char magic[] = {0xff, 0xd8, 0xff};
+  return bytes.size() >= sizeof magic && std::memcmp(bytes.data(), magic, sizeof magic) == 0;
+}
+
+/// Values that are stored as `maximum` become 1. @param channels values per pixel, of which the first three count
+template <class Value>
+Image storedImage(int width, int height, const std::vector<Value>& values, std::size_t channels) {
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      image.pixels[i][channel] =
+          float(values[channels * i + std::size_t(channel)]) / float(std::numeric_limits<Value>::max());
+  return image;
+}
+
+Image decodePng(std::span<const std::byte> bytes) {
+  const auto check = [](int code) {
+    if (code != 0) throw Error(std::string("found a PNG image that cannot be read (") + spng_strerror(code) + ")");
+  };
+  const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(0), spng_ctx_free);
+  if (!context) throw Error("the PNG decoder ran out of memory");
+  check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()));
+  spng_ihdr header;
+  check(spng_get_ihdr(context.get(), &header));
+  checkImageSize(header.width, header.height, bytes.size(), maxEncodedPixelsPerByte);
+  constexpr std::size_t channels = 4;
+  std::vector<std::uint16_t> values(channels * header.width * header.height);
+  check(spng_decode_image(context.get(), values.data(), values.size() * sizeof values[0], SPNG_FMT_RGBA16, 0));
+  return storedImage(int(header.width), int(header.height), values, channels);
+}
+
+/// A file that is damaged or cut off is refused too, which the decoder only warns of.
+Image decodeJpeg(std::span<const std::byte> bytes) {
+  const std::unique_ptr<void, int (*)(void*)> decoder(tjInitDecompress(), tjDestroy);
+  if (!decoder) throw Error("the JPEG decoder ran out of memory");
+  const auto check = [&](int code) {
+    if (code != 0)
+      throw Error(std::string("found a JPEG image that cannot be read (") + tjGetErrorStr2(decoder.get()) + ")");
+  };
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  int width = 0, height = 0, sampling = 0, colours = 0;
+  check(tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &sampling, &colours));
+  if (width == 0) throw Error("found a JPEG image that cannot be read (it ends before its pixels)");
+  checkImageSize(width, height, bytes.size(), maxEncodedPixelsPerByte);
+  constexpr std::size_t channels = 3;
+  std::vector<unsigned char> values(channels * std::size_t(width) * std::size_t(height));
+  check(tjDecompress2(decoder.get(), data, bytes.size(), values.data(), width, 0, height, TJPF_RGB,
+                      TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS));
+  return storedImage(width, height, values, channels);
 }
 
 void checkShape(bool matches, int width, int height) {
@@ -57,24 +102,9 @@ ImageFile readImageFile(const std::filesystem::path& path) {
 }
 
 Image readEncodedImage(std::span<const std::byte> bytes) {
-  constexpr std::size_t maxPixelsPerByte = 16384;  // deflate shrinks to a thousandth; eight pixels of one bit a byte
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
-    throw Error("found more than 2 GB, expected an image");
-  const int size = int(bytes.size());
-  const bool isJpeg = size > 2 && data[0] == 0xff && data[1] == 0xd8;
-  if (isJpeg && !reachesItsEnd(bytes)) throw Error("found a JPEG image without its end, expected a whole one");
-  int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) failEncoded();
-  checkImageSize(width, height, bytes.size(), maxPixelsPerByte);
-  const std::unique_ptr<stbi_us, void (*)(void*)> values(
-      stbi_load_16_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
-  if (!values) failEncoded();
-  Image image(width, height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    for (int channel = 0; channel < 3; ++channel)
-      image.pixels[i][channel] = float(values.get()[3 * i + std::size_t(channel)]) / 65535.0f;
-  return image;
+  if (isPng(bytes)) return decodePng(bytes);
+  if (isJpeg(bytes)) return decodeJpeg(bytes);
+  throw Error("found neither the signature of PNG nor that of JPEG, expected one of these formats");
 }
 
 Image readEncodedImage(const std::filesystem::path& path) {

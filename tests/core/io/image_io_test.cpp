@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <spng.h>
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
 
@@ -352,6 +353,19 @@ class ImageIoTest : public QObject {
       const glm::vec3 expected = glm::vec3(float(i), float(40 * i), float(255 - i)) / 255.0f;
       QVERIFY(glm::length(image.pixels[std::size_t(i)] - expected) < 1e-6f);
     }
+    // 16 bit, in the byte order of this machine when they are given to the encoder.
+    const std::vector<std::uint16_t> grey16 = {0, 1, 257, 65535};
+    const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> encoder(spng_ctx_new(SPNG_CTX_ENCODER), spng_ctx_free);
+    spng_ihdr header{.width = 4, .height = 1, .bit_depth = 16, .color_type = SPNG_COLOR_TYPE_GRAYSCALE};
+    QCOMPARE(spng_set_ihdr(encoder.get(), &header), 0);
+    QCOMPARE(spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1), 0);
+    QCOMPARE(spng_encode_image(encoder.get(), grey16.data(), 8, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE), 0);
+    std::size_t bytes = 0;
+    int failure = 0;
+    const std::unique_ptr<void, void (*)(void*)> png(spng_get_png_buffer(encoder.get(), &bytes, &failure), std::free);
+    const Image deep = io::readEncodedImage(std::span(static_cast<const std::byte*>(png.get()), bytes));
+    for (std::size_t i = 0; i < grey16.size(); ++i)
+      QVERIFY(glm::length(deep.pixels[i] - glm::vec3(float(grey16[i]) / 65535.0f)) < 1e-7f);
     Bytes jpeg;
     const std::vector<unsigned char> grey(16 * 16 * 3, 100);
     const auto collect = [](void* user, void* data, int count) {
@@ -373,10 +387,12 @@ class ImageIoTest : public QObject {
       frame[i + 1] = std::byte(11000 & 255);
     }
     QVERIFY(contains(errorOf([&] { io::readEncodedImage(huge); }), "11000 x 11000 pixels in"));
-    // Also where stb would fill up the picture with zeros.
+    // Also where the decoder would fill up the picture.
     for (jpeg.pop_back(); jpeg.size() > 2; jpeg.pop_back()) {
       writeFile("io/image/stored.png", jpeg);
-      QVERIFY(contains(errorOf([&] { io::readEncodedImage(path); }), "a JPEG image without its end"));
+      const std::string error = errorOf([&] { io::readEncodedImage(path); });
+      QVERIFY2(contains(error, "a JPEG image that cannot be read"),
+               (std::to_string(jpeg.size()) + ": " + error).c_str());
     }
   }
 };
