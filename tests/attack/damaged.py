@@ -5,7 +5,7 @@
 import random
 import shutil
 
-RUNS = 300
+RUNS = 150
 
 READING = {  # suffix or name of a seed: the command that reads it; FILE is the damaged file, OUT an output
     "ensemble.dictionary": ["encode", "merl.binary", "--dictionary", "FILE", "--out", "OUT.code"],

@@ -2,12 +2,16 @@
 # SPDX-FileCopyrightText: The Gonio authors
 """Extreme tables through every command that reads a material."""
 
+import itertools
 import struct
 
 
-def merl(folder, name, value):
-    """A MERL file of 90 x 90 x 180 cells; value(channel, cell) or a number, raw."""
-    counts = (90, 90, 180)
+MERL = (90, 90, 180)
+SMALL = (30, 30, 60)
+
+
+def merl(folder, name, counts, value):
+    """A table of these numbers of cells; value(channel, cells) or a number, raw."""
     cells = counts[0] * counts[1] * counts[2]
     with open(folder / name, "wb") as file:
         file.write(struct.pack("<3i", *counts))
@@ -19,7 +23,8 @@ def merl(folder, name, value):
     return name
 
 
-def extreme_tables(folder):
+def extreme_tables(folder, counts):
+    """The names of the tables. Encoding needs as many cells as MERL has; the other commands get fewer, which is faster."""
     def spike(channel, cells):
         data = bytearray(struct.pack("<d", 0.1) * cells)
         data[8 * 5000:8 * 5001] = struct.pack("<d", 1e30)
@@ -30,14 +35,14 @@ def extreme_tables(folder):
 
     def grazing(channel, cells):  # only the largest theta_h and theta_d have data
         rows = []
-        for h in range(90):
-            for d in range(90):
-                rows.append(struct.pack("<d", 50.0 if h > 70 or d > 80 else -1.0) * 180)
+        for h in range(counts[0]):
+            for d in range(counts[1]):
+                is_grazing = h > 0.78 * counts[0] or d > 0.89 * counts[1]
+                rows.append(struct.pack("<d", 50.0 if is_grazing else -1.0) * counts[2])
         return b"".join(rows)
 
-    return [merl(folder, "zero.binary", 0.0), merl(folder, "spike.binary", spike), merl(folder, "huge.binary", 1e300),
-            merl(folder, "empty-channel.binary", empty_channel), merl(folder, "invalid.binary", -1.0),
-            merl(folder, "grazing.binary", grazing)]
+    values = {"zero": 0.0, "spike": spike, "huge": 1e300, "empty-channel": empty_channel, "invalid": -1.0, "grazing": grazing}
+    return [merl(folder, f"{name}-{counts[0]}.binary", counts, value) for name, value in values.items()]
 
 
 EXTREME = [["info"], ["check"], ["fit", "--model", "ggx"], ["fit", "--model", "lambert"],
@@ -47,8 +52,10 @@ EXTREME = [["info"], ["check"], ["fit", "--model", "ggx"], ["fit", "--model", "l
 
 
 def extreme(attack, _):
-    for table in extreme_tables(attack.folder):
-        for command in EXTREME:
+    for counts in (MERL, SMALL):
+        encodes = counts == MERL
+        for table, command in itertools.product(extreme_tables(attack.folder, counts),
+                                                [c for c in EXTREME if (c[0] == "encode") == encodes]):
             arguments = [command[0], table, *command[1:]]
             code, output, error = attack.run(arguments, limit_memory=True)
             if code not in (0, 1, 2):
