@@ -98,7 +98,8 @@ shown() {
   inside "exec $2" >"$results/$1.out" 2>"$results/$1.err" &
   local process=$!
   window $process "$results/$1.png" || { cat "$results/$1.out" "$results/$1.err" >&2; return 1; }
-  # The editor itself: the process that it was started by may have ended.
+  # The editor itself, a child of the shell that started it; or the process that it was started by may have ended.
+  pkill -P $process || true
   kill $process 2>/dev/null || true
   wait $process 2>/dev/null || true
   sed -i '/^gonio: installing/d' "$results/$1.err"
