@@ -277,8 +277,9 @@ class PreviewWidgetTest : public QObject {
     QCOMPARE(content().comparison().split, 0.5);
     QVERIFY(moves.count() >= 3);
     // The focus of a bar that disappears is the preview's, not that of the next widget.
+    widget_->activateWindow();
     bar->setFocus();
-    QVERIFY(bar->hasFocus());
+    QTRY_VERIFY(bar->hasFocus());
     content().setComparison({});
     QVERIFY(!bar->isVisible() && widget_->hasFocus());
   }
