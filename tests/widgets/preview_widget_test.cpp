@@ -276,6 +276,12 @@ class PreviewWidgetTest : public QObject {
     QTest::keyClick(bar, Qt::Key_Home);
     QCOMPARE(content().comparison().split, 0.5);
     QVERIFY(moves.count() >= 3);
+    // The focus of a bar that disappears is the preview's, not that of the next widget.
+    widget_->activateWindow();
+    bar->setFocus();
+    QTRY_VERIFY(bar->hasFocus());
+    content().setComparison({});
+    QVERIFY(!bar->isVisible() && widget_->hasFocus());
   }
 
   /// The legend states the range of the colours: 0.18 against black is a difference of at most 0.18 here.

@@ -134,6 +134,8 @@ void PreviewOverlay::setComparison(const PreviewComparison& shown, const std::ar
   m_names[0]->setVisible(m_mode != CompareMode::off);
   m_names[1]->setVisible(both);
   m_split->setPosition(shown.split);
+  // Qt would pass the focus on to the list of scenes, of which a letter would choose another.
+  if (m_mode != CompareMode::split && m_split->hasFocus()) m_viewport->setFocus(Qt::OtherFocusReason);
   m_split->setVisible(m_mode == CompareMode::split);
   m_legend->setVisible(m_mode == CompareMode::difference);
   place();
@@ -143,6 +145,7 @@ void PreviewOverlay::setRange(DifferenceKind kind, double range) { m_legend->set
 
 void PreviewOverlay::setBanner(const QString& text, const QString& button) {
   if (text == m_banner->text() && (text.isEmpty() || button == m_banner->button()->text())) return;
+  if (text.isEmpty() && m_banner->button()->hasFocus()) m_viewport->setFocus(Qt::OtherFocusReason);
   m_banner->showText(text, button);
   place();
 }

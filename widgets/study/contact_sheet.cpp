@@ -191,8 +191,8 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
 
 void ContactSheet::drawPlaceholder(QPainter& painter, const QRect& square, const QString& note) const {
   painter.save();
-  painter.setOpacity(0.5);
-  painter.setPen(Qt::DashLine);
+  painter.setOpacity(0.6);
+  painter.setPen(QPen(painter.pen().color(), 1, Qt::DashLine));
   painter.setBrush(Qt::NoBrush);
   const int margin = square.width() / 8;
   painter.drawEllipse(square.adjusted(margin, margin, -margin, -margin));

@@ -148,9 +148,9 @@ void ReconstructionPage::showResult() {
 
 void ReconstructionPage::refresh() {
   m_open->setEnabled(m_session.result() && !m_session.isOpening());
-  m_view->setHint(!m_session.planner().hasPlan()
+  m_view->setHint(m_session.isBusy() ? tr("Working...")
+                  : !m_session.planner().hasPlan()
                       ? tr("Press Start to choose directions and to reconstruct the material from its values there.")
-                  : m_session.isBusy()             ? tr("Working...")
                   : m_session.values().rgb.empty() ? tr("Paste or open the values that were measured at the samples.")
                                                    : acquisitionStatus(m_session, m_controls));
 }

@@ -257,7 +257,10 @@ void ExportController::writeInBackground(const ExportRequest& request, Writer wr
       {.title = title, .file = true}, std::move(writer),
       [this, files, folder](const std::vector<std::string>& warnings) {
         Q_EMIT exported(tr("%1 in %2").arg(files, folder));
-        for (const std::string& warning : warnings) Q_EMIT warned(QString::fromStdString(warning));
+        QStringList texts;
+        for (const std::string& warning : warnings) texts << QString::fromStdString(warning);
+        if (!texts.isEmpty())
+          Q_EMIT warned(tr("%1 exported with limitations: %2.").arg(files, texts.join(QStringLiteral("; "))));
       },
       [this, files](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(files), error); },
       [this, files] { Q_EMIT cancelled(files); });

@@ -366,7 +366,7 @@ void Inspector::showEdits() {
   for (QAction* action : m_edits->addMenu().actions()) action->setEnabled(m_document.material() != nullptr);
   m_edits->setEntries(
       entries, selected,
-      m_document.material() ? tr("No edits: the material is shown as measured.") : tr("Open a material to edit it."));
+      m_document.material() ? tr("No edits: the original material is shown.") : tr("Open a material to edit it."));
 }
 
 int Inspector::editOf(int entry) const { return m_unlisted >= 0 && entry >= m_unlisted ? entry + 1 : entry; }

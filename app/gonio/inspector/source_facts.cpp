@@ -145,7 +145,9 @@ QString costLine(const CostMonitor::Costs& costs) {
                 ? SourceFactsText::tr("%1 a frame").arg(widgets::secondsText(1e-3 * costs.edited->frameMilliseconds))
                 : SourceFactsText::tr("measuring a frame"));
   if (costs.fitBytes > 0) parts << QLocale().formattedDataSize(qint64(costs.fitBytes), 1, QLocale::DataSizeSIFormat);
-  return parts.join(QStringLiteral("; "));
+  QString line = parts.join(QStringLiteral("; "));
+  line[0] = line[0].toUpper();
+  return line;
 }
 
 QString costDetails(const CostMonitor::Costs& costs, const fitting::FitResult* fit) {

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QStandardItemModel>
+#include <QStyledItemDelegate>
 #include <algorithm>
 #include <utility>
 
@@ -29,14 +30,14 @@ namespace gonio::app {
 namespace {
 
 constexpr double maxStops = 5, hardStops = 10;
-constexpr QSize iconSize(48, 24);
+constexpr QSize lightIconSize(48, 24), sceneIconSize(40, 40);
 constexpr int maxBoxCharacters = 34;
 /// What a list holds beside names: the scene's own light, no environment, a file.
 const QString own = QStringLiteral("own"), directional = QStringLiteral("directional"), file = QStringLiteral("file");
 enum Background { plain, checker, environment, blurred };
 
 QImage pictureOf(const rendering::EnvironmentMap& map) {
-  Image small(iconSize.width(), iconSize.height());
+  Image small(lightIconSize.width(), lightIconSize.height());
   for (int y = 0; y < small.height; ++y)
     for (int x = 0; x < small.width; ++x)
       small.at(x, y) = map.image().at(x * map.image().width / small.width, y * map.image().height / small.height);
@@ -73,14 +74,15 @@ void ViewStrip::build() {
     layout->addWidget(label);
     layout->addWidget(part);
   };
+  QPixmap emptyIcon(sceneIconSize);  // the list has room for the icons before they are rendered
+  emptyIcon.fill(Qt::transparent);
   for (const std::string& name : rendering::bundledSceneNames())
-    m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
+    m_scenes->addItem(QIcon(emptyIcon), sceneTitle(name), QString::fromStdString(name));
   m_scenes->addItem(tr("Mesh or scene..."), file);
   m_scenes->setToolTip(tr("Scene that shows the material: bundled, or a mesh or scene file"));
   m_lights->setToolTip(
       tr("Light of the scene; a chosen light stays when the scene changes. Shift + right drag rotates the "
          "environment."));
-  m_lights->setIconSize(iconSize);
   m_backgrounds->addItem(tr("Plain"));
   m_backgrounds->addItem(tr("Checker"));
   m_backgrounds->addItem(tr("Environment"));
@@ -97,17 +99,24 @@ void ViewStrip::build() {
   m_exposure->setAccessibleName(tr("Exposure in stops"));
   for (QComboBox* box : {m_scenes, m_lights, m_backgrounds}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(4);
-    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // one with icons is taller: all are then
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     box->setMaximumWidth(fontMetrics().averageCharWidth() * maxBoxCharacters);
     // A letter that is typed after a choice is a key of the preview; it would choose another entry.
     connect(box, &QComboBox::activated, this, [this] { m_preview.setFocus(Qt::OtherFocusReason); });
   }
+  // Room for "Shader ball", "From scene" and "Plain" on the smallest screen.
+  m_scenes->setMinimumContentsLength(9);
+  m_lights->setMinimumContentsLength(8);
+  m_backgrounds->setMinimumContentsLength(5);
+  for (const auto& [box, size] : {std::pair(m_scenes, sceneIconSize), std::pair(m_lights, lightIconSize)}) {
+    box->setIconSize({0, 0});  // icons only in the list: the names need the room of the box
+    box->view()->setIconSize(size);
+    box->setItemDelegate(new QStyledItemDelegate(box));  // that of the style draws icons in the size of the box
+  }
   m_scenes->view()->installEventFilter(this);
-  m_scenes->setMinimumContentsLength(6);  // "Sphere"
-  m_scenes->setIconSize({0, 0});          // icons only in the list: the names need the room of the box
   // The lists show whole names where the boxes have no room for them.
-  for (QComboBox* box : {m_scenes, m_backgrounds}) box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
+  for (QComboBox* box : {m_scenes, m_backgrounds})
+    box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + fontMetrics().height());
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   add(tr("Sce&ne"), m_scenes);
   add(tr("&Light"), m_lights);
@@ -115,6 +124,14 @@ void ViewStrip::build() {
   add(tr("E&xposure"), m_slider);
   layout->addWidget(m_exposure);
   layout->addStretch();
+  for (QComboBox* box : {m_scenes, m_lights, m_backgrounds}) {  // a longer name gets more of the room
+    const auto setStretch = [layout, box] {
+      const QFontMetrics metrics = box->fontMetrics();
+      layout->setStretchFactor(box, metrics.horizontalAdvance(box->currentText()) + 2 * metrics.height());
+    };
+    setStretch();
+    connect(box, &QComboBox::currentTextChanged, this, setStretch);
+  }
   m_slider->setMinimumWidth(fontMetrics().height() * 4);
   m_slider->setMaximumWidth(fontMetrics().height() * 6);
 }
@@ -191,9 +208,7 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ViewStrip::drawScenes() {
-  constexpr int side = 40, samples = 8;
-  m_scenes->view()->setIconSize({side, side});
-  m_scenes->view()->setMinimumWidth(m_scenes->view()->minimumWidth() + side + 2 * fontMetrics().height());
+  constexpr int samples = 8;
   for (const std::string& name : rendering::bundledSceneNames()) {
     const QString id = QString::fromStdString(name);
     m_tasks.run<QImage>(
@@ -204,7 +219,8 @@ void ViewStrip::drawScenes() {
           const rendering::Scene scene = rendering::openScene(name, 1 + SceneMaterialSlots::count);
           const models::Model& model = models::findModel("ggx");
           const auto brdf = model.instantiate(models::defaultParameters(model.spec()));
-          const rendering::RenderOptions options{.width = side, .height = side, .samples = samples, .density = {}};
+          const rendering::RenderOptions options{
+              .width = sceneIconSize.width(), .height = sceneIconSize.height(), .samples = samples, .density = {}};
           return displayedImage(rendering::renderPicture(*brdf, scene, options, control));
         },
         [this, id](const QImage& picture) {

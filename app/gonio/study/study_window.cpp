@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScreen>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTabWidget>
@@ -58,7 +59,7 @@ StudyWindow::StudyWindow(Document& document, BackgroundTasks& tasks, QWidget* pa
       m_status(new QLabel),
       m_footer(new QLabel) {
   const int em = fontMetrics().height();
-  resize(em * 100, em * 46);
+  resize(QSize(em * 100, em * 46).boundedTo(screen()->availableSize()));
   m_pages->addTab(buildResults(), tr("&Results"));
   m_pages->addTab(buildChart(), tr("C&hart"));
   m_pages->addTab(m_sheet, tr("&Sheet"));
@@ -278,7 +279,8 @@ void StudyWindow::restoreState(const QSettings& settings) {
     m_choice->setNames(names);
   }
   m_times->setChecked(settings.value(timesKey, true).toBool());
-  if (const QSize size = settings.value(sizeKey).toSize(); size.isValid()) resize(size);
+  if (const QSize size = settings.value(sizeKey).toSize(); size.isValid())
+    resize(size.boundedTo(screen()->availableSize()));
 }
 
 void StudyWindow::saveState(QSettings& settings) const {

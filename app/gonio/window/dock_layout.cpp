@@ -7,6 +7,8 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QPointer>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QTabBar>
 #include <QTimer>
@@ -133,6 +135,11 @@ void DockLayout::addTabs(const QStringList& names, const std::function<void(Work
 void DockLayout::showWorkspace(Workspace workspace) {
   m_workspace = workspace;
   if (m_tabs) m_tabs->setCurrentIndex(int(workspace));
+  // Qt passes the focus of a panel that is hidden on to the next button, which Space would then press.
+  const QPointer<QWidget> focused = m_window.focusWidget();
+  const auto returnFocus = qScopeGuard([&] {
+    if (focused) (focused->isVisible() ? focused.data() : m_window.centralWidget())->setFocus();
+  });
   reset();
   switch (workspace) {
     case Workspace::edit:

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QFileInfo>
 #include <QListView>
+#include <utility>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/acquisition/photograph_panel.h"
@@ -180,6 +181,14 @@ void EditorParts::connectFirstPicture() {
     m_awaitsPicture = true;
     tasks.hold(maxMilliseconds);
   });
+  QObject::connect(&preview.content(), &widgets::PreviewContent::sceneChanged, &preview,
+                   [this, last = preview.content().scene().name](const rendering::Scene& changed) mutable {
+                     if (std::exchange(last, changed.name) == changed.name) return;
+                     if (!preview.isVisible() || !preview.content().hasMaterial()) return;
+                     m_requestsBefore = preview.lastRequest() - 1;  // the last one is of the new scene
+                     m_awaitsPicture = true;
+                     preview.setLoading(sceneTitle(changed.name));
+                   });
   QObject::connect(&preview, &widgets::PreviewWidget::frameRendered, &controller, [this] {
     if (preview.shownRequest() <= m_requestsBefore) return;
     m_awaitsPicture = false;
@@ -193,7 +202,7 @@ void EditorParts::connectFirstPicture() {
   QObject::connect(&tasks, &BackgroundTasks::changed, &preview, [this] { showLoading(); });
 }
 
-/// Until the first picture of a material, the picture of the one before is dimmed.
+/// Until the first picture of a material or a scene, the picture of the one before is dimmed.
 void EditorParts::showLoading() {
   const QString opening = controller.opening().section('/', -1);
   if (!opening.isEmpty() || !m_awaitsPicture) preview.setLoading(opening);

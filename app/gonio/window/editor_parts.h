@@ -87,8 +87,8 @@ struct EditorParts {
 
   void showLoading();
 
-  bool m_awaitsPicture = false;  ///< whether a material was opened whose first picture is not there yet
-  int m_requestsBefore = 0;      ///< the preview's last request for the previous material
+  bool m_awaitsPicture = false;  ///< whether a material or a scene was opened whose first picture is not there yet
+  int m_requestsBefore = 0;      ///< the preview's last request for the previous one
 };
 
 }  // namespace gonio::app

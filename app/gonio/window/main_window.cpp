@@ -132,6 +132,7 @@ void MainWindow::addCentre() {
   pictures->addWidget(&m_parts.referencePanel, 1);
   layout->addLayout(pictures, 1);
   layout->addWidget(&m_parts.viewStrip);
+  centre->setFocusProxy(&m_parts.preview);
   setCentralWidget(centre);
 }
 

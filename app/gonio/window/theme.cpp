@@ -21,13 +21,36 @@ void SharedPaletteStyle::drawPrimitive(PrimitiveElement element, const QStyleOpt
 void SharedPaletteStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                                      const QWidget* widget) const {
   sharePalette(option);
+  if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option); box && element == CE_ComboBoxLabel) {
+    const QStyleOptionComboBox elided = withElidedText(*box, widget);
+    return PlainTextStyle::drawControl(element, &elided, painter, widget);
+  }
   PlainTextStyle::drawControl(element, option, painter, widget);
+}
+
+/// Fusion cuts a name that the box has no room for.
+QStyleOptionComboBox SharedPaletteStyle::withElidedText(const QStyleOptionComboBox& option,
+                                                        const QWidget* widget) const {
+  constexpr int margins = 2, iconMargin = 4;  // of Fusion
+  const int icon = option.currentIcon.isNull() || option.iconSize.isEmpty() ? 0 : option.iconSize.width() + iconMargin;
+  const QRect field = subControlRect(CC_ComboBox, &option, SC_ComboBoxEditField, widget);
+  QStyleOptionComboBox elided = option;
+  elided.currentText =
+      option.fontMetrics.elidedText(option.currentText, Qt::ElideRight, field.width() - margins - icon);
+  return elided;
 }
 
 void SharedPaletteStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                             QPainter* painter, const QWidget* widget) const {
   sharePalette(option);
   PlainTextStyle::drawComplexControl(control, option, painter, widget);
+}
+
+QSize SharedPaletteStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                           const QWidget* widget) const {
+  QSize result = PlainTextStyle::sizeFromContents(type, option, size, widget);
+  if (type == CT_MenuBarItem) result.rheight() += option->fontMetrics.height() / 2;
+  return result;
 }
 
 int SharedPaletteStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

@@ -6,6 +6,7 @@
 #include <QPalette>
 #include <QString>
 #include <QStyleFactory>
+#include <QStyleOptionComboBox>
 
 #include "widgets/inputs/plain_text_style.h"
 
@@ -29,6 +30,9 @@ class SharedPaletteStyle : public widgets::PlainTextStyle {
                    const QWidget* widget = nullptr) const override;
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                           const QWidget* widget = nullptr) const override;
+  /// The items of a menu bar are as tall as the tabs in its row.
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                         const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option = nullptr, const QWidget* widget = nullptr,
                 QStyleHintReturn* answer = nullptr) const override;
   /// Of message boxes, file dialogs and the titles of docks.
@@ -37,6 +41,7 @@ class SharedPaletteStyle : public widgets::PlainTextStyle {
 
  private:
   void sharePalette(const QStyleOption* option) const;
+  QStyleOptionComboBox withElidedText(const QStyleOptionComboBox& option, const QWidget* widget) const;
 
   mutable QList<QPalette> m_palettes;  ///< no two are equal
 };

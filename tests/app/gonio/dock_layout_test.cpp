@@ -59,6 +59,19 @@ class DockLayoutTest : public QObject {
     QCOMPARE(w.shown(), QStringList({"library", "inspector"}));
   }
 
+  /// The focus of a panel that is hidden is the centre's; that of a panel that stays is not moved.
+  void hiddenPanelsGiveTheFocusToTheCentre() {
+    Window w;
+    const auto part = [&w](const char* name) { return w.window.findChild<QDockWidget*>(name)->widget(); };
+    for (QWidget* widget : {w.window.centralWidget(), part("inspector"), part("plots")})
+      widget->setFocusPolicy(Qt::StrongFocus);
+    part("inspector")->setFocus();
+    w.docks.showWorkspace(Workspace::analyse);
+    QCOMPARE(w.window.focusWidget(), part("inspector"));
+    w.docks.showWorkspace(Workspace::acquire);
+    QCOMPARE(w.window.focusWidget(), w.window.centralWidget());
+  }
+
   /// The tabs of docks that lie behind one another have the icons of their menu entries.
   void tabsHaveIcons() {
     Window w;

@@ -4,6 +4,8 @@
 
 #include <QApplication>
 #include <QCommonStyle>
+#include <QIcon>
+#include <QPixmap>
 #include <QPushButton>
 #include <QStyleOption>
 #include <QTest>
@@ -16,11 +18,13 @@ using namespace gonio::app;
 /// Notes the palettes that it is to draw with.
 struct PaletteRecorder : QCommonStyle {
   mutable QList<QPalette> palettes;
+  mutable QString comboText;
   void drawPrimitive(PrimitiveElement, const QStyleOption* option, QPainter*, const QWidget*) const override {
     palettes << option->palette;
   }
   void drawControl(ControlElement, const QStyleOption* option, QPainter*, const QWidget*) const override {
     palettes << option->palette;
+    if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option)) comboText = box->currentText;
   }
   void drawComplexControl(ComplexControl, const QStyleOptionComplex* option, QPainter*, const QWidget*) const override {
     palettes << option->palette;
@@ -71,6 +75,27 @@ class SharedPaletteStyleTest : public QObject {
       style.drawPrimitive(QStyle::PE_Frame, &option, nullptr);
       QCOMPARE(recorder->palettes.back().color(QPalette::Text), QColor(i, 0, 0));
     }
+  }
+
+  /// A name that is too long for its box ends with an ellipsis, within the field beside the icon.
+  void longNamesInBoxesAreElided() {
+    auto* recorder = new PaletteRecorder;
+    const SharedPaletteStyle style(recorder);
+    QStyleOptionComboBox option;
+    option.currentText = "Environment, blurred";
+    const int needed = option.fontMetrics.horizontalAdvance(option.currentText);
+    const auto drawn = [&](int width) {
+      option.rect = QRect(0, 0, width, 24);
+      style.drawControl(QStyle::CE_ComboBoxLabel, &option, nullptr);
+      return recorder->comboText;
+    };
+    QCOMPARE(drawn(2 * needed), option.currentText);
+    const QString narrow = drawn(needed);
+    const int room = style.subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, nullptr).width();
+    QVERIFY(narrow.endsWith(QChar(0x2026)) && option.fontMetrics.horizontalAdvance(narrow) <= room);
+    option.currentIcon = QIcon(QPixmap(16, 16));
+    option.iconSize = {16, 16};
+    QVERIFY(drawn(needed).size() < narrow.size());
   }
 
   /// The theme can be changed and changed back; choosing it again changes nothing.

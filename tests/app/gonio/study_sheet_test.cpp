@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/study/study_sheet.h"
 
+#include <QImage>
+#include <QPalette>
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
@@ -40,6 +42,22 @@ class StudySheetTest : public QObject {
                     study::representationsOf({.names = {"lambert", "ggx", "blinn-phong"}}), options);
     std::ranges::sort(source_.entries, std::greater(), [](const auto& one) { return one->record.renderedSnr; });
     QCOMPARE(source_.entries.size(), std::size_t(3));
+  }
+
+  /// The note in place of an image that is not rendered yet can be read in the dark theme.
+  void placeholdersHaveTheColourOfTexts() {
+    widgets::ContactSheet sheet;
+    QPalette dark;
+    dark.setColor(QPalette::Text, Qt::white);
+    for (const auto role : {QPalette::Window, QPalette::Base}) dark.setColor(role, Qt::black);
+    sheet.setPalette(dark);
+    sheet.resize(300, 300);
+    sheet.setTiles({{.name = {}, .numbers = {}, .picture = {}, .map = {}}});
+    const QImage image = sheet.grab().toImage();
+    int brightest = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) brightest = std::max(brightest, qGray(image.pixel(x, y)));
+    QVERIFY(brightest > 120);
   }
 
   /// The material first, then the entries in their order; pictures and maps of all on one scale; fewer where fewer are

@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -420,9 +421,12 @@ class StudyWindowTest : public QObject {
     QSettings settings(folder.filePath("settings.ini"), QSettings::IniFormat);
     const Editor first;
     first.window.saveState(settings);
+    settings.setValue("study/size", QSize(9000, 9000));  // of a larger screen
     Editor second(study::defaultFamilies());
     second.window.restoreState(settings);
     QVERIFY(second.window.choice().names() == fewNames);
+    const QSize available = second.window.screen()->availableSize();
+    QCOMPARE(second.window.size().boundedTo(available), second.window.size());
   }
 };
 

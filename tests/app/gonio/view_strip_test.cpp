@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/scene/view_strip.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QScopeGuard>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <memory>
 
 #include "app/gonio/scene/environment_controller.h"
@@ -124,6 +126,33 @@ class ViewStripTest : public QObject {
     strip_->resize(2 * narrow);
     QVERIFY(!slider->isHidden());
     QCOMPARE(strip_->minimumSizeHint(), narrow);
+  }
+
+  /// The list of scenes draws their images beside the names: the icon of the sphere has dark and light pixels.
+  void scenesHaveImages() {
+    QWidget window;
+    strip_->setParent(&window);
+    const auto free = qScopeGuard([this] { strip_->setParent(nullptr); });
+    window.show();
+    QComboBox& scenes = box("Scene");
+    scenes.showPopup();
+    const QSize rowSize = scenes.view()->visualRect(scenes.model()->index(0, 0)).size();
+    const auto spread = [&scenes] {
+      const QRect row = scenes.view()->visualRect(scenes.model()->index(1, 0));
+      const QImage image =
+          scenes.view()->viewport()->grab({row.topLeft(), QSize(row.height(), row.height())}).toImage();
+      int least = 255, most = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+          least = std::min(least, qGray(image.pixel(x, y)));
+          most = std::max(most, qGray(image.pixel(x, y)));
+        }
+      return most - least;
+    };
+    QVERIFY(spread() < 8);  // not rendered yet
+    QTRY_VERIFY_WITH_TIMEOUT(spread() > 50, 30000);
+    QCOMPARE(scenes.view()->visualRect(scenes.model()->index(0, 0)).size(), rowSize);
+    scenes.hidePopup();
   }
 
   void filesAreAskedFor() {
