@@ -26,7 +26,7 @@ namespace {
 constexpr int maxRecent = 5;
 /// Heights of a line.
 constexpr QSizeF materialSize(6, 6), kindSize(9.6, 6);
-constexpr double maxScale = 2;
+constexpr double maxScale = 2.6;  // the pictures have 256 x 256 and 320 x 200 pixels
 /// In heights of a line: the margins, and what stands beside and between the pictures of a row and of a column.
 constexpr int pageMargin = 2, besidePictures = 6, betweenPictures = 22;
 
