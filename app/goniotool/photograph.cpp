@@ -110,7 +110,7 @@ int fitPhotograph(const PhotographFitArguments& options, const Tool& tool) {
             {"lostLight", found.lost},
             {"checks", checksJson(found.checks)},
             {"warnings", found.warnings},
-            {"assumption", "reciprocal, isotropic, a convex sphere without interreflection"},
+            {"assumption", "reciprocal, isotropic, a convex surface without interreflection"},
             {"seconds", seconds},
             {"written", written.json()},
             {"out", options.out}};
@@ -121,12 +121,18 @@ int fitPhotograph(const PhotographFitArguments& options, const Tool& tool) {
                      number(seconds) + " s\n";
   for (std::size_t i = 0; i < description.set.photographs.size(); ++i) {
     const photograph::Photograph& image = description.set.photographs[i];
-    json["images"].push_back({{"file", image.name},
-                              {"sphere", {{"x", image.disc.x}, {"y", image.disc.y}, {"radius", image.disc.radius}}},
-                              {"clip", decibelsJson(image.clip)},
-                              {"residualSnr", decibelsJson(found.residualSnr[i])}});
-    text += image.name + ": sphere at " + number(image.disc.x) + ", " + number(image.disc.y) + ", radius " +
-            number(image.disc.radius) + " pixels; residual " + number(found.residualSnr[i]) + " dB\n";
+    Json entry{{"file", image.name},
+               {"shape", photograph::surfaceName(image.surface)},
+               {"clip", decibelsJson(image.clip)},
+               {"residualSnr", decibelsJson(found.residualSnr[i])}};
+    text += image.name + ": " + std::string(photograph::surfaceName(image.surface));
+    if (photograph::isSphere(image.surface)) {
+      entry["sphere"] = {{"x", image.disc.x}, {"y", image.disc.y}, {"radius", image.disc.radius}};
+      text += " at " + number(image.disc.x) + ", " + number(image.disc.y) + ", radius " + number(image.disc.radius) +
+              " pixels";
+    }
+    json["images"].push_back(std::move(entry));
+    text += "; residual " + number(found.residualSnr[i]) + " dB\n";
   }
   if (description.set.exposure != Rgb(1)) text += "exposure by grey patch: " + rgbText(description.set.exposure) + "\n";
   if (!description.set.exposureKnown)
@@ -233,7 +239,7 @@ int simulatePhotographs(const SimulateArguments& options, const Tool& tool) {
     const std::filesystem::path& file = description.files[i];
     if (std::filesystem::exists(file) && !tool.force)
       throw Error(file.string() + ": the image exists; use --force to replace it");
-    const glm::ivec2 size = description.sizes[i];
+    const glm::ivec2 size = description.set.photographs[i].size;
     const rendering::RenderOptions render{
         .width = size.x, .height = size.y, .samples = options.samples, .seed = options.seed + i, .density = {}};
     Image image = rendering::renderPicture(*material.brdf, sceneOf(description.set.photographs[i], size.x, size.y),
@@ -254,7 +260,8 @@ int simulatePhotographs(const SimulateArguments& options, const Tool& tool) {
 
 void addPhotographFit(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<PhotographFitArguments>();
-  CLI::App* command = app.add_subcommand("fit", "Reconstructs a material from photographs of a sphere");
+  CLI::App* command =
+      app.add_subcommand("fit", "Reconstructs a material from photographs of a sphere, a cylinder or a flat sample");
   command->add_option("DESCRIPTION", options->description, "JSON file that describes the photographs")->required();
   command->add_option("--out", options->out, outputHelp("Material file to write"))->group(outputGroup)->required();
   addBasisOptions(*command, options->basis);
@@ -317,7 +324,8 @@ void addPhotographSimulate(CLI::App& app, Tool& tool) {
 }  // namespace
 
 void addPhotograph(CLI::App& app, Tool& tool) {
-  CLI::App* command = app.add_subcommand("photograph", "Reconstructs materials from photographs of a sphere");
+  CLI::App* command = app.add_subcommand(
+      "photograph", "Reconstructs materials from photographs of a sphere, a cylinder or a flat sample");
   command->require_subcommand(1);
   addPhotographFit(*command, tool);
   addPhotographPlan(*command, tool);

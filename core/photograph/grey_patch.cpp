@@ -64,11 +64,11 @@ std::vector<PatchValue> cardValues(const Photograph& photograph, const GreyPatch
 /// eccentricity, counts as a circle.)
 Photograph seenAlone(const Photograph& photograph, const matching::Disc& disc) {
   const rendering::CameraFrame frame = rendering::cameraFrame(photograph.camera);
-  const double distance = photograph.camera.distance;
-  const double perPixel = 1 / std::sqrt(distance * distance - 1) / photograph.disc.radius;
-  const Direction toCamera = -glm::normalize(frame.forward + perPixel * ((disc.x - photograph.disc.x) * frame.right -
-                                                                         (disc.y - photograph.disc.y) * frame.up));
+  const auto [centre, perPixel] = imagePlane(photograph);
+  const Direction toCamera =
+      -glm::normalize(frame.forward + perPixel * ((disc.x - centre.x) * frame.right - (disc.y - centre.y) * frame.up));
   Photograph alone = photograph;
+  alone.surface = UnitSphere{};
   alone.disc = disc;
   alone.camera.yaw = std::atan2(toCamera.x, toCamera.z);
   alone.camera.pitch = std::asin(std::clamp(toCamera.y, -1.0, 1.0));
@@ -81,12 +81,13 @@ std::vector<PatchValue> sphereValues(const Photograph& photograph, const GreyPat
   constexpr double inside = 0.85;  // of the radius
   PhotographSet grey{.photographs = {seenAlone(photograph, *patch.sphere)}, .warnings = {}};
   const Photograph& view = grey.photographs[0];
+  const SurfaceView normals(view);
   std::vector<PatchValue> values;
   for (const Region& region : regionsOf(grey, regions)) {
     if (glm::length(region.centre - glm::dvec2(view.disc.x, view.disc.y)) > inside * view.disc.radius) continue;
     Rgb irradiance(0);
     for (const RegionPoint& point : region.points)
-      irradiance += point.share * irradianceOn(view.light, normalAt(view, point.pixel), patch.position);
+      irradiance += point.share * irradianceOn(view.light, normals.at(point.pixel).normal, patch.position);
     values.push_back({region.value, irradiance * (patch.reflectance / pi)});
   }
   return values;

@@ -17,8 +17,8 @@ struct GreyPatch {
   double x = 0, y = 0, width = 0, height = 0;
   Direction normal{0, 0, 1};
   std::optional<matching::Disc> sphere;  ///< the outline of a sphere, in pixels; empty: a card
-  /// Where it is, in radii from the centre of the sphere of the material. Small lights have the distance and direction
-  /// that they have from there.
+  /// Where it is, relative to the middle of the surface of the material, in its unit. Small lights have the distance
+  /// and direction that they have from there.
   Direction position{0};
 };
 

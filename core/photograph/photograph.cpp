@@ -10,6 +10,7 @@
 #include "core/io/json_text.h"
 #include "core/math/colour.h"
 #include "core/photograph/grey_patch.h"
+#include "core/photograph/pixel_rows.h"
 #include "core/support/error.h"
 #include "core/support/json_object.h"
 #include "core/support/text.h"
@@ -30,34 +31,48 @@ double optionalNumber(const JsonObject& object, std::string_view key, double min
   return object.contains(key) ? object.number(key, min, max) : otherwise;
 }
 
-rendering::OrbitCamera cameraOf(const JsonObject& json) {
-  json.expectOnly({"position", "fieldOfView"});
+/// Where a camera must be to see a surface.
+const char* expectedPosition(const Surface& surface) {
+  if (std::holds_alternative<Cylinder>(surface))
+    return "a point outside of the cylinder: its distance from the axis, in radii, must be above 1";
+  if (std::holds_alternative<FlatSample>(surface))
+    return "a point in front of the flat sample, where its normal points";
+  return "a point outside of the sphere: its distance from the centre, in radii, must be above 1";
+}
+
+rendering::OrbitCamera cameraOf(const JsonObject& json, const Surface& surface) {
+  json.expectOnly({"position", "lookAt", "fieldOfView"});
   rendering::OrbitCamera camera;
   camera.fieldOfView = radians(optionalNumber(json, "fieldOfView", 1, 120, degrees(camera.fieldOfView)));
   const Direction position = numbersOf(json, "position");
-  camera.distance = glm::length(position);
-  if (!(camera.distance > 1))
-    json.fail("position", "a point outside of the sphere: its distance from the centre, in radii, must be above 1");
-  camera.yaw = std::atan2(position.x, position.z);
-  camera.pitch = std::atan2(position.y, std::hypot(position.x, position.z));
+  if (!isOutside(surface, position)) json.fail("position", expectedPosition(surface));
+  if (json.contains("lookAt")) {
+    if (isSphere(surface)) json.fail("lookAt", "no point: the camera looks at the centre of a sphere");
+    camera.target = numbersOf(json, "lookAt");
+  }
+  const Direction fromTarget = position - camera.target;
+  camera.distance = glm::length(fromTarget);
+  if (!(camera.distance > 0)) json.fail("lookAt", "another point than the position of the camera");
+  camera.yaw = std::atan2(fromTarget.x, fromTarget.z);
+  camera.pitch = std::atan2(fromTarget.y, std::hypot(fromTarget.x, fromTarget.z));
   if (std::abs(camera.pitch) > radians(89))
-    json.fail("position", "a camera at most 89 degrees above or below the sphere");
+    json.fail("position", "a camera at most 89 degrees above or below the point that it looks at");
   return camera;
 }
 
-void readLight(const JsonObject& json, const std::filesystem::path& folder, Light& light) {
+void readLight(const JsonObject& json, const std::filesystem::path& folder, const Surface& surface, Light& light) {
   json.expectOnly({"environment", "rotation", "toLight", "irradiance", "position", "intensity"});
   if (json.contains("environment")) {
     if (light.environment) json.fail("environment", "one environment per photograph");
     light.environment = rendering::openEnvironment(json.text("environment"), folder);
     light.rotation = radians(optionalNumber(json, "rotation", -360, 360, 0));
   } else if (json.contains("toLight")) {
-    const Direction toLight = numbersOf(json, "toLight");
-    if (!(glm::length(toLight) > 0)) json.fail("toLight", "a direction, not [0, 0, 0]");
-    light.directional.push_back({glm::normalize(toLight), numbersOf(json, "irradiance", false)});
+    light.directional.push_back({readDirection(json, "toLight"), numbersOf(json, "irradiance", false)});
   } else if (json.contains("position")) {
     const Direction position = numbersOf(json, "position");
-    if (!(glm::length(position) > 1)) json.fail("position", "a light outside of the sphere, in radii from its centre");
+    if (occupies(surface, position))
+      json.fail("position", "a light outside of the " + std::string(surfaceName(surface)) +
+                                (std::holds_alternative<FlatSample>(surface) ? "" : ", in radii from its centre"));
     light.points.push_back({position, numbersOf(json, "intensity", false)});
   } else {
     json.fail("environment", "\"environment\", \"toLight\" (a distant light) or \"position\" (a small light)");
@@ -120,13 +135,12 @@ GreyPatch greyPatchOf(const JsonObject& json) {
   patch.y = json.number("y", 0, mostSide);
   patch.width = json.number("width", 1, mostSide);
   patch.height = json.number("height", 1, mostSide);
-  const Direction normal = numbersOf(json, "normal");
-  if (!(glm::length(normal) > 0)) json.fail("normal", "a direction, not [0, 0, 0]");
-  patch.normal = glm::normalize(normal);
+  patch.normal = readDirection(json, "normal");
   return patch;
 }
 
-matching::Disc discIn(const JsonObject& json, const Photograph& photograph, const glm::ivec2& size) {
+matching::Disc discIn(const JsonObject& json, const Photograph& photograph) {
+  const glm::ivec2& size = photograph.size;
   if (!json.contains("sphere")) return discOf(photograph.camera, size.x, size.y);
   const char* expected = "\"find\", or {\"x\": .., \"y\": .., \"radius\": ..} in pixels";
   const nlohmann::json& sphere = json.member("sphere", expected);
@@ -141,37 +155,52 @@ matching::Disc discIn(const JsonObject& json, const Photograph& photograph, cons
           disc.number("radius", matching::minDiscRadius, std::max(size.x, size.y))};
 }
 
+/// The outline of a sphere; of other surfaces, checks that the image shows them. @param camera of the entry.
+void placeSurface(const JsonObject& json, const JsonObject& camera, Photograph& photograph) {
+  const glm::ivec2& size = photograph.size;
+  if (isSphere(photograph.surface)) {
+    photograph.disc = discIn(json, photograph);
+    const matching::Disc& disc = photograph.disc;
+    if (disc.x < 0 || disc.y < 0 || disc.x > size.x || disc.y > size.y || disc.radius < matching::minDiscRadius)
+      json.fail("sphere", "an outline with its centre in the image and a radius of at least 8 pixels");
+    return;
+  }
+  if (json.contains("sphere"))
+    json.fail("sphere", "no outline beside \"shape\": camera and field of view show where the " +
+                            std::string(surfaceName(photograph.surface)) + " is");
+  if (!hasUsedPixels(photograph))
+    camera.fail("position", "a camera that has the " + std::string(surfaceName(photograph.surface)) + " in its image");
+}
+
 /// An entry of "images" or "candidates".
 struct Entry {
   std::filesystem::path file;
-  glm::ivec2 size{0};
   Photograph photograph;
 };
 
 /// @param reads whether to read the image.
 Entry readPhotograph(const JsonObject& json, const std::filesystem::path& folder, bool reads, const GivenImages& given,
                      std::vector<std::string>& warnings) {
-  json.expectOnly({"file", "camera", "sphere", "lights", "clip", "width", "height", "gamma", "greyPatch"});
+  json.expectOnly({"file", "shape", "camera", "sphere", "lights", "clip", "width", "height", "gamma", "greyPatch"});
   Entry entry{.file = folder / json.text("file"), .photograph = {}};
   Photograph& photograph = entry.photograph;
   photograph.name = entry.file.filename().string();
-  photograph.camera = cameraOf(json.object("camera"));
+  photograph.surface = readSurface(json);
+  const JsonObject camera = json.object("camera");
+  photograph.camera = cameraOf(camera, photograph.surface);
   const nlohmann::json& lights = json.array("lights");
   for (std::size_t i = 0; i < lights.size(); ++i)
-    readLight(JsonObject(lights[i], json.place("lights[" + std::to_string(i) + "]")), folder, photograph.light);
+    readLight(JsonObject(lights[i], json.place("lights[" + std::to_string(i) + "]")), folder, photograph.surface,
+              photograph.light);
   if (lights.empty()) json.fail("lights", "at least one light");
-  entry.size = {int(optionalNumber(json, "width", 16, mostSide, defaultSide)),
-                int(optionalNumber(json, "height", 16, mostSide, defaultSide))};
+  photograph.size = {int(optionalNumber(json, "width", 16, mostSide, defaultSide)),
+                     int(optionalNumber(json, "height", 16, mostSide, defaultSide))};
   if (reads) {
     photograph.image = linearImage(json, entry.file, given, warnings);
-    entry.size = {photograph.image.width, photograph.image.height};
+    photograph.size = {photograph.image.width, photograph.image.height};
   }
-  photograph.disc = discIn(json, photograph, entry.size);
-  const matching::Disc& disc = photograph.disc;
-  if (disc.x < 0 || disc.y < 0 || disc.x > entry.size.x || disc.y > entry.size.y ||
-      disc.radius < matching::minDiscRadius)
-    json.fail("sphere", "an outline with its centre in the image and a radius of at least 8 pixels");
-  if (reads) photograph.clip = clippedFrom(photograph.image, photograph.disc);
+  placeSurface(json, camera, photograph);
+  if (reads) photograph.clip = clippedFrom(photograph);
   if (reads && json.contains("gamma")) photograph.clip = std::min(photograph.clip, 1.0);  // the largest stored value
   if (json.contains("clip")) photograph.clip = json.number("clip", 0, JsonObject::maxOfTriple);
   if (reads && !json.contains("clip") && !json.contains("gamma") && std::isfinite(photograph.clip))
@@ -206,13 +235,15 @@ matching::Disc discOf(const rendering::OrbitCamera& camera, int width, int heigh
   return {0.5 * width, 0.5 * height, 0.5 * std::min(width, height) * tangent / std::tan(camera.fieldOfView / 2)};
 }
 
-double clippedFrom(const Image& image, const matching::Disc& disc) {
+double clippedFrom(const Photograph& photograph) {
+  const SurfaceView view(photograph);
+  const Image& image = photograph.image;
   float largest = 0;
   std::size_t inside = 0, equal = 0;
   for (const bool counts : {false, true})
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
-        if (std::hypot(x + 0.5 - disc.x, y + 0.5 - disc.y) > disc.radius) continue;
+        if (!view.shows({x + 0.5, y + 0.5})) continue;
         const glm::vec3& pixel = image.at(x, y);
         const float value = std::max({pixel.x, pixel.y, pixel.z});
         if (!std::isfinite(value)) continue;
@@ -255,7 +286,6 @@ PhotographDescription parseDescription(const std::string& text, const std::files
       if (images) exposures.push_back(exposureOf(entry.photograph, patch, result.set.warnings));
     }
     result.files.push_back(std::move(entry.file));
-    result.sizes.push_back(entry.size);
     result.set.photographs.push_back(std::move(entry.photograph));
   }
   if (hasPatch) result.set.exposureKnown = true;
@@ -282,6 +312,11 @@ rendering::Scene sceneOf(const Photograph& photograph, int width, int height) {
   scene.environmentRotation = photograph.light.rotation;
   scene.directionalLights = photograph.light.directional;
   scene.pointLights = photograph.light.points;
+  if (!isSphere(photograph.surface)) {
+    scene.objects[0] = {.name = std::string(surfaceName(photograph.surface)),
+                        .shape = renderedShape(photograph.surface)};
+    return scene;
+  }
   const double tangent = 1 / std::sqrt(photograph.camera.distance * photograph.camera.distance - 1);
   scene.camera.fieldOfView = 2 * std::atan(0.5 * std::min(width, height) * tangent / photograph.disc.radius);
   return scene;

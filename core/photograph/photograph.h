@@ -11,14 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "core/matching/sphere_finder.h"
-#include "core/rendering/scene.h"
+#include "core/photograph/surface.h"
 
-/// Materials from photographs of a sphere under known light: docs/photographs.md.
+/// Materials from photographs of a sphere, a cylinder or a flat sample under known light: docs/photographs.md.
 namespace gonio::photograph {
 
-/// The light of a photograph, in the world axes of rendering::Scene. Lengths are in radii of the sphere, positions
-/// relative to its centre.
+/// The light of a photograph, in the world axes of rendering::Scene. Lengths are in radii of the sphere or cylinder, or
+/// in the unit of the flat sample, positions relative to the middle of the surface.
 struct Light {
   std::shared_ptr<const rendering::EnvironmentMap> environment;  ///< may be null
   double rotation = 0;                                           ///< rad, rendering::EnvironmentRotation
@@ -26,14 +25,17 @@ struct Light {
   std::vector<rendering::PointLight> points;
 };
 
-/// A linear image of a sphere.
+/// A linear image of a surface.
 struct Photograph {
-  std::string name;  ///< for messages
-  Image image;       ///< linear RGB, proportional to radiance
-  matching::Disc disc;
-  /// Camera about the centre of the sphere; distances in radii, more than 1. Its axis passes through the centre, and
-  /// `disc` is the sphere's outline, so the field of view is not used.
+  std::string name;     ///< for messages
+  Image image;          ///< linear RGB, proportional to radiance; may be missing
+  matching::Disc disc;  ///< the outline of a sphere; not used of other surfaces
+  /// Camera outside of the surface (isOutside()). If it is a sphere, the camera's axis passes through the centre, and
+  /// `disc` stands for the field of view.
   rendering::OrbitCamera camera;
+  Surface surface;
+  /// Of the image, also of one that is still to be rendered or taken, in pixels. Not used of a sphere.
+  glm::ivec2 size{0};
   Light light;
   double clip = std::numeric_limits<double>::infinity();  ///< pixels with a channel of at least this value are not used
 };
@@ -53,15 +55,14 @@ struct PhotographSet {
 /// @param camera distance in radii.
 matching::Disc discOf(const rendering::OrbitCamera& camera, int width, int height);
 
-/// The value from which pixels count as clipped: the largest value of the image inside the disc, if at least 0.1 % of
-/// the pixels there (and 4) have a channel of exactly this value. Infinite otherwise.
-double clippedFrom(const Image& image, const matching::Disc& disc);
+/// The value from which pixels count as clipped: the largest value of the pixels that show the surface, if at least
+/// 0.1 % of them (and 4) have a channel of exactly this value. Infinite otherwise.
+double clippedFrom(const Photograph& photograph);
 
 /// A description of photographs that may be rendered: as PhotographSet, but the images may be missing.
 struct PhotographDescription {
   PhotographSet set;
   std::vector<std::filesystem::path> files;  ///< of the images
-  std::vector<glm::ivec2> sizes;             ///< of the images to render, pixels; 256 x 256 if not stated
   std::vector<Photograph> candidates;        ///< for the next image (photograph_plan.h), without images
 };
 
@@ -73,15 +74,15 @@ inline constexpr std::uint64_t maxDescriptionBytes = std::uint64_t(1) << 24;
 /// Reads a JSON description (docs/photographs.md has the format). @param images whether to read the images.
 /// @param folder base of relative paths.
 /// @throws Error that names the member or the image file, what was found and what was expected: PNG and JPEG files
-/// without a stated gamma, an outline outside of the image, no light, a camera inside the sphere.
+/// without a stated gamma, an outline outside of the image, no light, a camera that does not see the surface.
 /// @param given linear images that stand for files, by the text of the member "file".
 PhotographDescription parseDescription(const std::string& text, const std::filesystem::path& folder, bool images,
                                        const GivenImages& given = {});
 /// The same from a file, which errors name.
 PhotographDescription readDescription(const std::filesystem::path& path, bool images = true);
 
-/// The scene that a photograph shows: the unit sphere at the origin. Its camera's field of view shows the sphere
-/// as large as the disc is in an image of this size.
+/// The scene that a photograph shows. The field of view of its camera shows a sphere as large as the disc is in an
+/// image of this size.
 rendering::Scene sceneOf(const Photograph& photograph, int width, int height);
 
 }  // namespace gonio::photograph

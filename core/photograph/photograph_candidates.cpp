@@ -8,6 +8,7 @@
 
 #include "core/io/json_text.h"
 #include "core/math/types.h"
+#include "core/photograph/surface.h"
 #include "core/support/json_object.h"
 
 namespace gonio::photograph {
@@ -78,11 +79,13 @@ void addLights(const JsonText& image, int count, JsonText& candidates) {
 
 void addCameras(const JsonText& image, int count, JsonText& candidates) {
   const Direction position = tripleOf(image.at("camera"), "position");
+  const Surface surface = readSurface(JsonObject(image, "images[0]"));
   for (int i = 0; i < count; ++i) {
     const double angle = 360.0 * i / count, c = std::cos(radians(angle)), s = std::sin(radians(angle));
     JsonText variant = variantOf(image, degreesText("camera", angle));
-    variant["camera"]["position"] =
-        tripleJson({c * position.x + s * position.z, position.y, c * position.z - s * position.x});
+    const Direction turned{c * position.x + s * position.z, position.y, c * position.z - s * position.x};
+    if (!isOutside(surface, turned)) continue;
+    variant["camera"]["position"] = tripleJson(turned);
     candidates.push_back(std::move(variant));
   }
 }

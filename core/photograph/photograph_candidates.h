@@ -14,7 +14,9 @@ struct CandidateCounts {
   /// Directions from which the first distant or small light comes (without one, an additional distant light of
   /// irradiance pi), evenly spread up to 120 degrees from the direction to the camera.
   int lights = 0;
-  int cameras = 0;  ///< positions of the camera, in equal steps about the vertical axis
+  /// Positions of the camera, in equal steps about the vertical axis. Those from which the surface is not seen (behind
+  /// a flat sample, or in a cylinder without ends) are left out.
+  int cameras = 0;
 
   bool operator==(const CandidateCounts&) const = default;
 };

@@ -239,17 +239,7 @@ class InputChecks {
     const double mean = predicted_.mean();
     // d = mean (f / mean)^g: the derivative by ln g at 1 is f ln(f / mean).
     checks.push_back(check("gamma", predicted_.array() * (predicted_.array() / mean).max(1e-6).log(), noticeable));
-    const double radius = set_.photographs.front().disc.radius, pixels = 0.01 * radius;
-    struct Outline {
-      const char* name;
-      double matching::Disc::*member;
-    };
-    for (const Outline& of : {Outline{"outline x", &matching::Disc::x}, Outline{"outline y", &matching::Disc::y},
-                              Outline{"outline radius", &matching::Disc::radius}}) {
-      PhotographSet moved = set_;
-      for (photograph::Photograph& photograph : moved.photographs) photograph.disc.*of.member += pixels;
-      checks.push_back(check(of.name, (valuesWith(moved, 0) - predicted_) / pixels, pixels));
-    }
+    addOutlines(checks);
     const bool hasEnvironment = std::ranges::any_of(
         set_.photographs, [](const Photograph& photograph) { return photograph.light.environment != nullptr; });
     if (hasEnvironment) {
@@ -260,6 +250,24 @@ class InputChecks {
   }
 
  private:
+  /// Place and size of the spheres, if there are any.
+  void addOutlines(std::vector<InputCheck>& checks) const {
+    const auto hasOutline = [](const Photograph& photograph) { return isSphere(photograph.surface); };
+    const auto first = std::ranges::find_if(set_.photographs, hasOutline);
+    if (first == set_.photographs.end()) return;
+    const double pixels = 0.01 * first->disc.radius;
+    struct Outline {
+      const char* name;
+      double matching::Disc::*member;
+    };
+    for (const Outline& of : {Outline{"outline x", &matching::Disc::x}, Outline{"outline y", &matching::Disc::y},
+                              Outline{"outline radius", &matching::Disc::radius}}) {
+      PhotographSet moved = set_;
+      for (photograph::Photograph& photograph : moved.photographs) photograph.disc.*of.member += pixels;
+      checks.push_back(check(of.name, (valuesWith(moved, 0) - predicted_) / pixels, pixels));
+    }
+  }
+
   MatrixX3d valuesWith(const PhotographSet& set, double rotation) const {
     const PixelRows rows = assembleRows(problem_.prior.mapping, set, regions_, rotation, {control_.stop, {}});
     return problem_.exposure(x_) * pixelValues(problem_.prior, rows, coefficientsOf(x_, problem_.components()));
@@ -322,14 +330,15 @@ class InputChecks {
   TaskControl control_;
 };
 
-/// At most `most` regions well inside the discs: at the outline, pixel values do not change linearly with its place.
+/// At most `most` regions well inside the surfaces: at the outline, pixel values do not change linearly with its place.
+/// Of all regions if none is.
 std::vector<std::size_t> insideOf(const PhotographSet& set, const std::vector<Region>& regions, std::size_t most) {
   constexpr double inside = 0.85;  // of the radius
+  std::vector<SurfaceView> views(set.photographs.begin(), set.photographs.end());
   std::vector<std::size_t> all, chosen;
-  for (std::size_t row = 0; row < regions.size(); ++row) {
-    const matching::Disc& disc = set.photographs[regions[row].photograph].disc;
-    if (glm::length(regions[row].centre - glm::dvec2(disc.x, disc.y)) < inside * disc.radius) all.push_back(row);
-  }
+  for (std::size_t row = 0; row < regions.size(); ++row)
+    if (views[regions[row].photograph].shows(regions[row].centre, inside)) all.push_back(row);
+  if (all.empty()) return evenlySpaced(regions.size(), most);
   for (const std::size_t i : evenlySpaced(all.size(), most)) chosen.push_back(all[i]);
   return chosen;
 }
@@ -365,7 +374,7 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   const PixelRows rows = assembleRows(prior.mapping, set, result.regions, 0, control.between(0, 0.2));
   Problem problem{.prior = prior, .rows = rows, .data = {}, .noise = {}, .exposureKnown = set.exposureKnown};
   readRegions(result.regions, problem.data, problem.noise);
-  problem.share = sharedInformation(set.photographs.size(), rows.count());
+  problem.share = sharedInformation(set.photographs, rows.count());
   constexpr std::size_t comparedRows = 200;
   const std::vector<std::size_t> some = evenlySpaced(rows.count(), comparedRows);
   const auto images = signalImages(prior, rowsAt(rows, some), control.between(0.2, 0.4));

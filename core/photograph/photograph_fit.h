@@ -16,7 +16,8 @@ inline constexpr std::size_t defaultRegions = 600;
 
 /// How much better the photographs are explained if one property of the input differs from what was stated.
 struct InputCheck {
-  std::string property;  ///< "exposure", "gamma", "outline x", "outline y", "outline radius" or "rotation"
+  /// "exposure", "gamma", "rotation", and of spheres "outline x", "outline y" or "outline radius".
+  std::string property;
   double estimate = 0;   ///< difference from the stated value: of a logarithm (exposure, gamma), in pixels, or in rad
   double deviation = 0;  ///< posterior standard deviation of the estimate, at least that (widening())
   double evidence = 0;   ///< half the squared ratio of estimate and deviation: the gain of log likelihood

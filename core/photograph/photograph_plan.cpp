@@ -46,7 +46,8 @@ class Observations {
       for (std::size_t i = 0; i < images.photographs.size(); ++i) {
         const std::size_t begin = end;
         while (end < regions.size() && regions[end].photograph == i) ++end;
-        rows_[i * materials_ + m] = observed(at, begin, end, local, images.exposureKnown, options.modelNoise);
+        const double share = sharedInformation(std::span(images.photographs).subspan(i, 1), end - begin);
+        rows_[i * materials_ + m] = observed(at, begin, end, share, local, images.exposureKnown, options.modelNoise);
       }
     }
   }
@@ -58,13 +59,11 @@ class Observations {
   }
 
  private:
-  static Eigen::MatrixXf observed(const PixelLinearisation& at, std::size_t begin, std::size_t end,
+  static Eigen::MatrixXf observed(const PixelLinearisation& at, std::size_t begin, std::size_t end, double share,
                                   const LocalPrior& local, bool exposureKnown, double modelNoise) {
     const Index count = Index(end - begin), components = at.jacobian[0].cols();
     const MatrixX3d values = at.values.middleRows(Index(begin), count);
-    const MatrixX3d roots =
-        pixelWeights(values, MatrixX3d::Zero(count, 3), modelNoise, sharedInformation(1, std::size_t(count)))
-            .cwiseSqrt();
+    const MatrixX3d roots = pixelWeights(values, MatrixX3d::Zero(count, 3), modelNoise, share).cwiseSqrt();
     Eigen::MatrixXf result(3 * count, local.factor.cols());
     for (Index channel = 0; channel < 3; ++channel) {
       MatrixXd of = at.jacobian[std::size_t(channel)].middleRows(Index(begin), count) *

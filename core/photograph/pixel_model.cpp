@@ -63,9 +63,12 @@ std::vector<std::size_t> evenlySpaced(std::size_t count, std::size_t most) {
   return chosen;
 }
 
-double sharedInformation(std::size_t photographs, std::size_t rows) {
-  constexpr double independentRegions = 25;
-  return std::min(1.0, independentRegions * double(photographs) / double(rows));
+double sharedInformation(std::span<const Photograph> photographs, std::size_t rows) {
+  constexpr double independentRegions = 25, ofFlatSample = 1;
+  double sum = 0;
+  for (const Photograph& of : photographs)
+    sum += std::holds_alternative<FlatSample>(of.surface) ? ofFlatSample : independentRegions;
+  return std::min(1.0, sum / double(rows));
 }
 
 MatrixX3d pixelWeights(const MatrixX3d& values, const MatrixX3d& noise, double modelNoise, double share) {

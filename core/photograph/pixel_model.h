@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 
 #include "core/photograph/photograph_prior.h"
 
@@ -28,8 +29,9 @@ Eigen::MatrixX3d pixelValues(const PhotographPrior& prior, const PixelRows& rows
 std::vector<std::size_t> evenlySpaced(std::size_t count, std::size_t most);
 
 /// Factor of the information of each row. Errors of the model, such as what no combination of training materials can
-/// represent, are alike in neighbouring regions: all regions of a photograph together count as 25 independent ones.
-double sharedInformation(std::size_t photographs, std::size_t rows);
+/// represent, are alike in neighbouring regions: all regions of a photograph together count as 25 independent ones, of
+/// a flat sample, which shows one normal, as one.
+double sharedInformation(std::span<const Photograph> photographs, std::size_t rows);
 
 /// Inverse variances of pixel values, times `share`: of their noise, and of what the model does not explain.
 /// @param values pixel values. @param noise variances of their noise. Both rows x channels.

@@ -14,51 +14,90 @@ namespace gonio::photograph {
 
 namespace {
 
-/// Beyond this part of the radius an error of a pixel in the outline changes much.
+/// Beyond this part of the radius (of the sides of other surfaces) an error of a pixel in the outline changes much.
 constexpr double usedRadius = 0.985;
+
+/// The pixels of a photograph that count: those well inside the surface.
+class UsedPixels {
+ public:
+  explicit UsedPixels(const Photograph& photograph) : right_(photograph.size.x), bottom_(photograph.size.y) {
+    if (isSphere(photograph.surface)) {
+      const matching::Disc& disc = photograph.disc;
+      const double limit = usedRadius * disc.radius;
+      left_ = int(std::floor(disc.x - limit));
+      top_ = int(std::floor(disc.y - limit));
+      right_ = int(std::ceil(disc.x + limit));
+      bottom_ = int(std::ceil(disc.y + limit));
+    }
+    const SurfaceView view(photograph);
+    used_.reserve(std::size_t(right_ - left_) * std::size_t(bottom_ - top_));
+    for (int y = top_; y < bottom_; ++y)
+      for (int x = left_; x < right_; ++x) {
+        used_.push_back(view.shows({x + 0.5, y + 0.5}, usedRadius));
+        count_ += used_.back();
+      }
+  }
+
+  std::size_t count() const { return count_; }
+  int left() const { return left_; }
+  int top() const { return top_; }
+  int right() const { return right_; }
+  int bottom() const { return bottom_; }
+  bool contains(int x, int y) const {
+    return x < right_ && y < bottom_ &&
+           used_[std::size_t(y - top_) * std::size_t(right_ - left_) + std::size_t(x - left_)];
+  }
+
+ private:
+  int left_ = 0, top_ = 0, right_, bottom_;
+  std::vector<bool> used_;
+  std::size_t count_ = 0;
+};
 
 /// A square of pixels.
 struct Square {
   int left, top, side;
 };
 
-bool isInside(const matching::Disc& disc, int x, int y) {
-  return std::hypot(x + 0.5 - disc.x, y + 0.5 - disc.y) <= usedRadius * disc.radius;
+bool hasAny(const UsedPixels& used, const Square& square) {
+  for (int y = square.top; y < square.top + square.side; ++y)
+    for (int x = square.left; x < square.left + square.side; ++x)
+      if (used.contains(x, y)) return true;
+  return false;
 }
 
-/// The squares that contain pixels inside the disc.
-std::vector<Square> squaresOf(const matching::Disc& disc, int side) {
+/// The squares that contain pixels that count.
+std::vector<Square> squaresOf(const UsedPixels& used, int side) {
   std::vector<Square> squares;
-  const double limit = usedRadius * disc.radius;
-  for (int top = int(std::floor(disc.y - limit)); top < disc.y + limit; top += side)
-    for (int left = int(std::floor(disc.x - limit)); left < disc.x + limit; left += side) {
-      const auto nearest = [&](int start, double centre) { return std::clamp(int(centre), start, start + side - 1); };
-      if (isInside(disc, nearest(left, disc.x), nearest(top, disc.y))) squares.push_back({left, top, side});
-    }
+  for (int top = used.top(); top < used.bottom(); top += side)
+    for (int left = used.left(); left < used.right(); left += side)
+      if (const Square square{left, top, side}; hasAny(used, square)) squares.push_back(square);
   return squares;
 }
 
-/// The smallest side of squares with which a disc has at most `most` of them.
-int sideFor(const matching::Disc& disc, std::size_t most) {
-  int side = std::max(1, int(0.8 * std::sqrt(pi * disc.radius * disc.radius / double(most))));
-  while (squaresOf(disc, side).size() > most) ++side;
-  return side;
+/// The squares of the smallest side of which there are at most `most`.
+std::vector<Square> squaresFor(const UsedPixels& used, std::size_t most) {
+  int side = std::max(1, int(0.8 * std::sqrt(double(used.count()) / double(most))));
+  while (true) {
+    std::vector<Square> squares = squaresOf(used, side++);
+    if (squares.size() <= most) return squares;
+  }
 }
 
-/// Calls visit(x, y) for the pixels of a square inside the disc.
+/// Calls visit(x, y) for the pixels of a square that count.
 template <typename Visit>
-void forEachPixel(const Square& square, const matching::Disc& disc, const Visit& visit) {
+void forEachPixel(const Square& square, const UsedPixels& used, const Visit& visit) {
   for (int y = square.top; y < square.top + square.side; ++y)
     for (int x = square.left; x < square.left + square.side; ++x)
-      if (isInside(disc, x, y)) visit(x, y);
+      if (used.contains(x, y)) visit(x, y);
 }
 
-Region emptyRegion(const Square& square, const matching::Disc& disc, std::size_t photograph) {
+Region emptyRegion(const Square& square, const UsedPixels& used, std::size_t photograph) {
   Region region{.photograph = photograph, .points = {}};
   std::array<RegionPoint, 4> quarters;
   for (RegionPoint& quarter : quarters) quarter.share = 0;
   double count = 0;
-  forEachPixel(square, disc, [&](int x, int y) {
+  forEachPixel(square, used, [&](int x, int y) {
     const std::size_t right = 2 * (x - square.left) >= square.side ? 1 : 0;
     const std::size_t lower = 2 * (y - square.top) >= square.side ? 2 : 0;
     RegionPoint& quarter = quarters[right + lower];
@@ -74,10 +113,10 @@ Region emptyRegion(const Square& square, const matching::Disc& disc, std::size_t
 }
 
 /// Sets value and variance. @return whether all but a few pixels are usable.
-bool readPixels(const Photograph& photograph, const Square& square, Region& region) {
+bool readPixels(const Photograph& photograph, const Square& square, const UsedPixels& used, Region& region) {
   Rgb sum(0), squares(0);
   int inside = 0, count = 0, differences = 0;
-  forEachPixel(square, photograph.disc, [&](int x, int y) {
+  forEachPixel(square, used, [&](int x, int y) {
     ++inside;
     if (!isUsable(photograph, x, y)) return;
     const Rgb pixel(photograph.image.at(x, y));
@@ -105,6 +144,14 @@ std::size_t regionsOfEach(const PhotographSet& set, std::size_t most) {
 
 }  // namespace
 
+bool hasUsedPixels(const Photograph& photograph) {
+  const SurfaceView view(photograph);
+  for (int y = 0; y < photograph.size.y; ++y)
+    for (int x = 0; x < photograph.size.x; ++x)
+      if (view.shows({x + 0.5, y + 0.5}, usedRadius)) return true;
+  return false;
+}
+
 bool isUsable(const Photograph& photograph, int x, int y) {
   const Image& image = photograph.image;
   if (x < 0 || y < 0 || x >= image.width || y >= image.height) return false;
@@ -117,9 +164,9 @@ bool isUsable(const Photograph& photograph, int x, int y) {
 std::vector<Region> plannedRegions(const PhotographSet& set, std::size_t most) {
   std::vector<Region> regions;
   for (std::size_t i = 0; i < set.photographs.size(); ++i) {
-    const matching::Disc& disc = set.photographs[i].disc;
-    for (const Square& square : squaresOf(disc, sideFor(disc, regionsOfEach(set, most))))
-      regions.push_back(emptyRegion(square, disc, i));
+    const UsedPixels used(set.photographs[i]);
+    for (const Square& square : squaresFor(used, regionsOfEach(set, most)))
+      regions.push_back(emptyRegion(square, used, i));
   }
   return regions;
 }
@@ -131,15 +178,19 @@ std::vector<Region> regionsOf(const PhotographSet& set, std::size_t most) {
     const Photograph& photograph = set.photographs[i];
     bool found = false;
     double sum = 0;
-    for (const Square& square : squaresOf(photograph.disc, sideFor(photograph.disc, each))) {
-      Region region = emptyRegion(square, photograph.disc, i);
-      if (!readPixels(photograph, square, region)) continue;
+    const UsedPixels used(photograph);
+    for (const Square& square : squaresFor(used, each)) {
+      Region region = emptyRegion(square, used, i);
+      if (!readPixels(photograph, square, used, region)) continue;
       found = true;
       sum += luminance(region.value);
       regions.push_back(std::move(region));
     }
-    if (!found) throw Error(photograph.name + ": the outline of the sphere contains no pixels that can be used");
-    if (!(sum > 0)) throw Error(photograph.name + ": the sphere is black");
+    const std::string name(surfaceName(photograph.surface));
+    if (!found)
+      throw Error(photograph.name + ": the " + (isSphere(photograph.surface) ? "outline of the sphere" : name) +
+                  " contains no pixels that can be used");
+    if (!(sum > 0)) throw Error(photograph.name + ": the " + name + " is black");
   }
   return regions;
 }
@@ -251,50 +302,19 @@ class BlockPyramid {
   std::vector<Level> levels_;
 };
 
-/// A point of the sphere that a camera sees, with a frame of which z is the normal.
-struct SeenPoint {
-  Direction normal, tangent, bitangent, toViewer;  ///< world
+/// A point that a camera sees, with a frame of which z is the normal.
+struct FramedPoint : SeenPoint {
+  Direction tangent, bitangent;  ///< world
 
+  explicit FramedPoint(const SeenPoint& seen) : SeenPoint(seen) {
+    const Direction helper = std::abs(normal.y) < 0.9 ? Direction(0, 1, 0) : Direction(1, 0, 0);
+    tangent = glm::normalize(glm::cross(helper, normal));
+    bitangent = glm::cross(normal, tangent);
+  }
   Direction local(const Direction& world) const {
     return {glm::dot(tangent, world), glm::dot(bitangent, world), glm::dot(normal, world)};
   }
 };
-
-class SphereView {
- public:
-  explicit SphereView(const Photograph& photograph)
-      : frame_(rendering::cameraFrame(photograph.camera)),
-        disc_(photograph.disc),
-        distance_(photograph.camera.distance),
-        tangent_(1 / std::sqrt(distance_ * distance_ - 1)) {}
-
-  SeenPoint at(const glm::dvec2& pixel) const {
-    const double x = (pixel.x - disc_.x) / disc_.radius, y = -(pixel.y - disc_.y) / disc_.radius;
-    const Direction ray = glm::normalize(frame_.forward + tangent_ * (x * frame_.right + y * frame_.up));
-    const double along = glm::dot(ray, -distance_ * frame_.forward);
-    const double depth = -along - std::sqrt(std::max(0.0, along * along - (distance_ * distance_ - 1)));
-    SeenPoint point;
-    point.normal = glm::normalize(-distance_ * frame_.forward + depth * ray);
-    point.toViewer = -ray;
-    const Direction helper = std::abs(point.normal.y) < 0.9 ? Direction(0, 1, 0) : Direction(1, 0, 0);
-    point.tangent = glm::normalize(glm::cross(helper, point.normal));
-    point.bitangent = glm::cross(point.normal, point.tangent);
-    return point;
-  }
-
- private:
-  rendering::CameraFrame frame_;
-  matching::Disc disc_;
-  double distance_, tangent_;
-};
-
-}  // namespace
-
-Direction normalAt(const Photograph& photograph, const glm::dvec2& pixel) {
-  return SphereView(photograph).at(pixel).normal;
-}
-
-namespace {
 
 /// The row of one region: weights of all cells in a dense array, and the cells in use.
 class RowBuilder {
@@ -303,7 +323,7 @@ class RowBuilder {
       : grid_(mapping.grid), places_(places), dense_(mapping.cells.size(), glm::vec3(0)) {}
 
   /// Adds the light from a direction at a point. @param irradiance perpendicular to the direction.
-  void add(const SeenPoint& point, const Direction& toLight, const Rgb& irradiance) {
+  void add(const FramedPoint& point, const Direction& toLight, const Rgb& irradiance) {
     const Direction wi = point.local(toLight);
     if (!(wi.z > 0)) return;
     pairs_[pending_] = {wi, point.local(point.toViewer)};
@@ -311,7 +331,7 @@ class RowBuilder {
     if (++pending_ == HalfDifferenceBlock::capacity) flush();
   }
 
-  void add(const SeenPoint& point, const BlockPyramid& environment, double share) {
+  void add(const FramedPoint& point, const BlockPyramid& environment, double share) {
     constexpr double largest = radians(8);
     // Largest angle that a part of the environment covers, relative to the spacing in theta_h of the cells into which
     // it falls.
@@ -408,7 +428,7 @@ PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographS
   for (std::size_t i = 0; i < mapping.cells.size(); ++i) places[mapping.cells[i]] = std::int32_t(i);
   std::map<std::pair<const rendering::EnvironmentMap*, double>, BlockPyramid> pyramids;
   std::vector<const BlockPyramid*> pyramidOf;
-  std::vector<SphereView> views;
+  std::vector<SurfaceView> views;
   for (const Photograph& photograph : set.photographs) {
     views.emplace_back(photograph);
     pyramidOf.push_back(nullptr);
@@ -431,12 +451,12 @@ PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographS
           const Region& region = regions[row];
           const Light& light = set.photographs[region.photograph].light;
           for (const auto& [pixel, share] : region.points) {
-            const SeenPoint point = views[region.photograph].at(pixel);
+            const FramedPoint point(views[region.photograph].at(pixel));
             if (const BlockPyramid* pyramid = pyramidOf[region.photograph]) builder.add(point, *pyramid, share);
             for (const rendering::DirectionalLight& distant : light.directional)
               builder.add(point, distant.toLight, distant.irradiance * share);
             for (const rendering::PointLight& small : light.points) {
-              const Direction offset = small.position - point.normal;  // of the unit sphere, also the point
+              const Direction offset = small.position - point.position;
               const double square = glm::dot(offset, offset);
               builder.add(point, offset / std::sqrt(square), small.intensity * (share / square));
             }

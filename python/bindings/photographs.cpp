@@ -68,8 +68,13 @@ py::dict fromImages(const std::string& text, const std::string& folder,
     return result;
   });
   py::list outlines, checks;
-  for (const Photograph& photograph : found.set.photographs)
-    outlines.append(py::make_tuple(photograph.disc.x, photograph.disc.y, photograph.disc.radius));
+  for (const Photograph& photograph : found.set.photographs) {
+    const matching::Disc& disc = photograph.disc;
+    if (isSphere(photograph.surface))
+      outlines.append(py::make_tuple(disc.x, disc.y, disc.radius));
+    else
+      outlines.append(py::none());
+  }
   for (const InputCheck& check : found.fit.checks)
     checks.append(py::make_tuple(check.property, check.estimate, check.deviation, check.evidence, check.isSuspicious));
   py::dict row;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-"""Materials from images of a sphere under known light."""
+"""Materials from images of a sphere, a cylinder or a flat sample under known light."""
 from __future__ import annotations
 
 import json
@@ -45,8 +45,8 @@ class ImageReconstruction:
     """Standard deviation of its natural logarithm; 0 if it is known."""
     grey_exposure: tuple[float, float, float]
     """Factor of the pixel values of red, green and blue by grey patches; 1 without them."""
-    outlines: list[tuple[float, float, float]]
-    """x, y and radius of the sphere's outline in each image, pixels."""
+    outlines: list[Optional[tuple[float, float, float]]]
+    """x, y and radius of the sphere's outline in each image, pixels; None for other shapes."""
     residual_snr: list[float]
     """Energy of the regions of pixels of each image relative to that of their differences from the reconstruction, dB."""
     bandwidth: float
@@ -107,8 +107,9 @@ def _plain(value: Any) -> Any:
 
 def from_images(description: Union[PathLike, Mapping[str, Any], Sequence[Mapping[str, Any]]], basis: Optional[Basis] = None,
                 components: int = 64, regions: int = 600, name: str = "photograph", progress: Progress = None) -> ImageReconstruction:
-    """Reconstructs a material from linear images of a sphere under known light, with its uncertainty (docs/photographs.md). The
-    result is isotropic and reciprocal. About 10 s for an image of 256 x 256 pixels under an environment, on two cores.
+    """Reconstructs a material from linear images of a sphere, a cylinder or a flat sample under known light, with its
+    uncertainty (docs/photographs.md). The result is isotropic and reciprocal. About 10 s for an image of 256 x 256 pixels under
+    an environment, on two cores.
 
     Args:
         description: A JSON file that describes the images (docs/photographs.md), the same as a dict, or the list of its images.
@@ -134,7 +135,7 @@ def from_images(description: Union[PathLike, Mapping[str, Any], Sequence[Mapping
 def plan_images(description: Union[PathLike, Mapping[str, Any], Sequence[Mapping[str, Any]]], images: int = 1, rotations: int = 0,
                 lights: int = 0, cameras: int = 0, basis: Optional[Basis] = None, components: int = 64,
                 model_noise: float = 0.08, materials: int = 24, progress: Progress = None) -> ImagePlan:
-    """Chooses the next images of a sphere: those that reduce the expected uncertainty of materials most, by greedy A-optimal
+    """Chooses the next images of a sample: those that reduce the expected uncertainty of materials most, by greedy A-optimal
     design (docs/photographs.md). The pixels of the images are not used, so that they need not exist.
 
     Args:

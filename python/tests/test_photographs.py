@@ -55,6 +55,16 @@ def test_an_unknown_exposure_is_estimated(basis, picture):
     assert abs(np.log(found.exposure / 5)) < 4 * found.exposure_deviation
 
 
+def test_other_shapes_have_no_outline(basis, picture):
+    """The pixels beside the middle of a flat sample do not show a sphere: here only that the shape is read and used."""
+    flat = {"flat": {"normal": [0, 0, 1], "width": 0.5, "height": 0.5}}
+    found = gonio.from_images([entry(picture), entry(picture, shape=flat)], basis, regions=200)
+    assert found.outlines[0] is not None and found.outlines[1] is None
+    assert len(found.residual_snr) == 2
+    with pytest.raises(gonio.Error, match=r"images\[0\].sphere"):
+        gonio.from_images([entry(picture, shape=flat, sphere="find")], basis)
+
+
 def test_a_grey_card_fixes_the_exposure(basis, picture):
     """Under a distant light that falls straight on the card: its radiance is 0.2 * 3 / pi."""
     shown = picture.copy()

@@ -8,6 +8,8 @@
 // gonio_studies photographs SHARED --uncertainty [MATERIAL ...]: errors beside stated deviations alone.
 // gonio_studies photographs SHARED --wrong [MATERIAL ...]: what is reported of wrong input: a shifted outline, a
 // rotated environment, a wrong and an unknown exposure, clipped pixels, and pixels that are not linear.
+// gonio_studies photographs SHARED --shapes [MATERIAL ...]: reconstructions from pictures by Gonio of a sphere, a
+// cylinder and a flat sample, once and turned.
 // gonio_studies photographs SHARED --calibration [COUNT]: errors beside stated deviations of training materials that
 // are left out of the prior, an eighth of them at a time, each from a picture, or four, by Gonio under a bundled
 // environment.
@@ -365,6 +367,59 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
   return 0;
 }
 
+/// A picture of a surface by Gonio.
+photograph::Photograph pictureOf(const Brdf& truth, const rendering::Scene& studio, const photograph::Surface& surface,
+                                 double distance, std::uint64_t seed) {
+  constexpr int side = 128;
+  photograph::Photograph photo{.name = "image " + std::to_string(seed),
+                               .image = {},
+                               .disc = {},
+                               .camera = {.distance = distance},
+                               .surface = surface,
+                               .size = {side, side},
+                               .light = {.environment = studio.environment}};
+  photo.disc = photograph::discOf(photo.camera, side, side);
+  photo.image = rendering::renderPicture(truth, photograph::sceneOf(photo, side, side),
+                                         {.width = side, .height = side, .samples = 32, .seed = seed, .density = {}});
+  return photo;
+}
+
+int shapes(const std::filesystem::path& shared, const std::vector<std::string>& materials) {
+  const Training training = loadTraining();
+  const rendering::Scene studio = test::mitsubaScene(shared);
+  Table table;
+  for (const std::string& material : materials) {
+    const auto truth = test::mitsubaMaterial(shared, material);
+    const Views views = viewsOf(shared, *truth);
+    const auto basis = basisWithout(training, material, photograph::defaultPhotographComponents);
+    const PhotographPrior prior = photograph::photographPrior(basis);
+    const auto truthTable = coarse(*meanOfOrders(bakeTable(*truth, HalfDifferenceGrid())));
+    std::vector<std::pair<std::string, PhotographSet>> sets(4);
+    const char* names[] = {"sphere", "cylinder", "flat sample", "flat sample, four images"};
+    for (std::size_t i = 0; i < sets.size(); ++i) sets[i].first = names[i];
+    sets[0].second.photographs = {pictureOf(*truth, studio, photograph::UnitSphere{}, 4, 1)};
+    sets[1].second.photographs = {pictureOf(*truth, studio, photograph::Cylinder{}, 4.6, 1)};
+    for (const double turn : {0.0, 30.0, -45.0, 65.0}) {
+      const Direction normal = glm::normalize(Direction(std::sin(radians(turn)), 0.2, std::cos(radians(turn))));
+      auto& turned = sets[3].second.photographs;
+      turned.push_back(pictureOf(*truth, studio, photograph::FlatSample{.normal = normal}, 4, turned.size() + 1));
+    }
+    sets[2].second.photographs = {sets[3].second.photographs[0]};
+    for (const auto& [name, set] : sets) {
+      const auto fit = photograph::fitPhotographs(prior, set);
+      const auto found = dictionary::decode(basis, fit.code);
+      double quantile = 0;
+      const double within = coverage(basis, fit, *truthTable, *found, quantile);
+      std::printf("%s, %s: model noise %.4f, residual %.1f dB, within one deviation %.3f\n", material.c_str(),
+                  name.c_str(), fit.modelNoise, fit.residualSnr[0], within);
+      for (const std::string& warning : fit.warnings) std::printf("warning: %s\n", warning.c_str());
+      table.add(material, name, views, *found);
+    }
+  }
+  table.printMedians();
+  return 0;
+}
+
 /// What is wrong with the input.
 struct Fault {
   const char* name;
@@ -391,7 +446,7 @@ const Fault faults[] = {
        for (const glm::vec3& pixel : photo.image.pixels)
          if (std::isfinite(pixel.x + pixel.y + pixel.z)) largest = std::max({largest, pixel.x, pixel.y, pixel.z});
        for (glm::vec3& pixel : photo.image.pixels) pixel = glm::min(pixel, glm::vec3(largest / 3));
-       photo.clip = photograph::clippedFrom(photo.image, photo.disc);
+       photo.clip = photograph::clippedFrom(photo);
      }},
     {"gamma 1 / 2.2", [](PhotographSet& set) {
        for (glm::vec3& pixel : set.photographs[0].image.pixels)
@@ -490,16 +545,18 @@ int calibration(std::size_t count) {
 
 int study(int argumentCount, char** arguments) {
   if (argumentCount < 2) {
-    std::fprintf(
-        stderr,
-        "usage: gonio_studies photographs SHARED [--uncertainty | --wrong | --calibration] [MATERIAL ... | COUNT]\n");
+    std::fprintf(stderr,
+                 "usage: gonio_studies photographs SHARED [--uncertainty | --wrong | --shapes | --calibration] "
+                 "[MATERIAL ... | COUNT]\n");
     return 2;
   }
   std::vector<std::string> materials(arguments + 2, arguments + argumentCount);
   if (std::erase(materials, "--calibration") > 0)
     return calibration(materials.empty() ? 48 : std::size_t(std::stoul(materials.front())));
   const bool isWrong = std::erase(materials, "--wrong") > 0, isUncertainty = std::erase(materials, "--uncertainty") > 0;
+  const bool isOfShapes = std::erase(materials, "--shapes") > 0;
   if (materials.empty()) materials = test::mitsubaMaterials();
+  if (isOfShapes) return shapes(arguments[1], materials);
   return isWrong ? wrongInput(arguments[1], materials) : reconstructions(arguments[1], materials, !isUncertainty);
 }
 

@@ -19,7 +19,7 @@ namespace gonio::app {
 
 namespace {
 
-constexpr double maxPixels = 1e5, maxDistance = 1e4, maxIrradiance = 1e6;
+constexpr double maxPixels = 1e5, minSphereDistance = 1.001, minDistance = 1e-3, maxDistance = 1e4, maxIrradiance = 1e6;
 const QString environmentFolder = QStringLiteral("environment"), environmentFile = QStringLiteral("file");
 
 /// Two widgets beside each other in one row of a form.
@@ -102,15 +102,17 @@ void PhotographControls::buildOutline(QFormLayout& form) {
 }
 
 void PhotographControls::buildCamera(QFormLayout& form) {
-  m_distance = rowField(tr("Camera distance"),
-                        tr("Distance of the camera from the centre of the sphere, in radii of the sphere"), 1.001,
-                        maxDistance, 0.1, tr("radii"));
+  m_distance =
+      rowField(tr("Camera distance"),
+               tr("Distance of the camera from the centre of the sphere or sample, in radii of the sphere or cylinder, "
+                  "or in the unit of length of a flat sample"),
+               minSphereDistance, maxDistance, 0.1, tr("radii"));
   m_azimuth = angleField(tr("Camera azimuth"),
                          tr("Azimuth of the camera in the axes of the light: 0° looks at the middle of an environment "
                             "map, positive angles are to the right"),
                          pi);
-  m_elevation =
-      angleField(tr("Camera elevation"), tr("Elevation of the camera above the centre of the sphere"), radians(89));
+  m_elevation = angleField(tr("Camera elevation"),
+                           tr("Elevation of the camera above the centre of the sphere or sample"), radians(89));
   form.addRow(photographLabel(tr("Camera distance"), m_distance), pairOf(m_distance, new QWidget));
   form.addRow(photographLabel(tr("Camera angles"), m_azimuth), pairOf(m_azimuth, m_elevation));
 }
@@ -200,6 +202,11 @@ void PhotographControls::showItem(const PhotographItem& item) {
   m_x->setValue(disc.x);
   m_y->setValue(disc.y);
   m_radius->setValue(disc.radius);
+  const bool hasOutline = !hasItem || item.hasOutline();
+  for (const widgets::NumberField* field : {m_x, m_radius}) m_form->setRowVisible(field->parentWidget(), hasOutline);
+  const bool isFlat = !hasOutline && item.entry["shape"].contains("flat");
+  m_distance->setRange(isFlat ? minDistance : minSphereDistance, maxDistance);
+  m_distance->setUnit(isFlat ? QString() : tr("radii"));
   const PhotographCamera camera = hasItem ? item.camera() : PhotographCamera();
   m_distance->setValue(camera.distance);
   m_azimuth->setValue(camera.azimuth);

@@ -15,6 +15,7 @@
 #include "core/rendering/environment.h"
 #include "core/rendering/tone_map.h"
 #include "core/support/error.h"
+#include "widgets/acquisition/residual_view.h"
 
 namespace gonio::app {
 
@@ -68,13 +69,15 @@ Image reduced(const Image& image) {
   return small;
 }
 
-/// Factor that makes the sphere as bright as a display shows it without losing much in the highlights.
-double brightnessFor(const Image& image, const matching::Disc& disc) {
+/// Factor that makes the surface as bright as a display shows it without losing much in the highlights.
+double brightnessFor(const photograph::Photograph& photograph) {
   constexpr double bright = 0.95, shown = 0.6;
+  const photograph::SurfaceView view(photograph);
+  const Image& image = photograph.image;
   std::vector<double> values;
-  for (int y = std::max(0, int(disc.y - disc.radius)); y < std::min(double(image.height), disc.y + disc.radius); ++y)
-    for (int x = std::max(0, int(disc.x - disc.radius)); x < std::min(double(image.width), disc.x + disc.radius); ++x)
-      if (std::hypot(x + 0.5 - disc.x, y + 0.5 - disc.y) < disc.radius)
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (view.shows({x + 0.5, y + 0.5}))
         if (const double value = luminance(Rgb(image.at(x, y))); std::isfinite(value)) values.push_back(value);
   if (values.empty()) return 1;
   const auto at = values.begin() + std::ptrdiff_t(bright * double(values.size() - 1));
@@ -85,10 +88,10 @@ double brightnessFor(const Image& image, const matching::Disc& disc) {
 PhotographItem itemOf(json entry, const photograph::Photograph& photograph) {
   PhotographItem item;
   item.entry = std::move(entry);
-  item.setDisc(photograph.disc);
+  if (item.hasOutline()) item.setDisc(photograph.disc);
   item.describedLights = item.entry["lights"];
   item.size = {photograph.image.width, photograph.image.height};
-  item.brightness = brightnessFor(photograph.image, photograph.disc);
+  item.brightness = brightnessFor(photograph);
   item.shown = photographColours(reduced(photograph.image), item.brightness);
   return item;
 }
@@ -97,17 +100,17 @@ PhotographItem readPhotograph(const QString& path, const json& like) {
   json entry{{"file", QFileInfo(path).absoluteFilePath().toStdString()},
              {"camera", {{"position", {0, 0, PhotographCamera().distance}}}},
              {"lights", json::array({{{"environment", PhotographLight().environment.toStdString()}}})}};
-  for (const char* member : {"camera", "lights"})
+  for (const char* member : {"shape", "camera", "lights"})
     if (like.contains(member)) entry[member] = like[member];
   const json root{{"format", "gonio photographs"}, {"version", 1}, {"images", json::array({entry})}};
   photograph::PhotographSet set = photograph::parseDescription(io::exactJsonText(root), {}, true).set;
   photograph::Photograph& photograph = set.photographs.front();
   bool found = true;
-  try {
-    photograph.disc = matching::findSphere(photograph.image);
-  } catch (const Error&) {
-    found = false;  // the user moves the circle
-  }
+  if (photograph::isSphere(photograph.surface)) try {
+      photograph.disc = matching::findSphere(photograph.image);
+    } catch (const Error&) {
+      found = false;  // the user moves the circle
+    }
   PhotographItem item = itemOf(std::move(entry), photograph);
   item.isOutlineFound = found;
   return item;
@@ -118,6 +121,9 @@ PhotographItem readPhotograph(const QString& path, const json& like) {
 QString PhotographItem::path() const { return QString::fromStdString(entry["file"].get<std::string>()); }
 
 matching::Disc PhotographItem::disc() const {
+  if (!hasOutline())
+    return {size.width() / 2.0, size.height() / 2.0,
+            std::max(size.width(), size.height()) / (2 * widgets::ResidualView::mapExtent)};
   const json& sphere = entry["sphere"];
   return {sphere["x"], sphere["y"], sphere["radius"]};
 }

@@ -16,7 +16,7 @@
 
 namespace gonio::app {
 
-/// The place of a camera about the centre of the sphere. Azimuths are from +z toward +x, as of OrbitCamera.
+/// The place of a camera about the middle of the surface. Azimuths are from +z toward +x, as of OrbitCamera.
 struct PhotographCamera {
   double distance = 4;                ///< radii
   double azimuth = 0, elevation = 0;  ///< rad
@@ -42,12 +42,15 @@ struct PhotographItem {
   QImage shown;                    ///< at most shownSide pixels per side
   QSize size;                      ///< of the image file, pixels
   double brightness = 1;           ///< factor of the radiance in `shown`
-  bool isOutlineFound = true;      ///< or stated; otherwise the outline is a circle in the middle
+  bool isOutlineFound = true;      ///< or stated, or there is none; otherwise it is a circle in the middle
 
   static constexpr int shownSide = 1200;
 
   QString path() const;
   QString name() const { return path().section('/', -1); }
+  /// Whether it shows a sphere. The shapes of a description are not edited.
+  bool hasOutline() const { return !entry.contains("shape"); }
+  /// The outline of a sphere; for other shapes a circle around the image.
   matching::Disc disc() const;
   void setDisc(const matching::Disc& disc);
   PhotographCamera camera() const;
@@ -83,8 +86,9 @@ class PhotographInputs {
 /// Reads a description with its images. @throws Error as photograph::readDescription(); Cancelled.
 PhotographInputs readPhotographDescription(const QString& path, const TaskControl& control = {});
 
-/// Reads images and finds their spheres. @param like an entry of a description, of which camera and lights are copied;
-/// null: the default camera and the environment "studio". @throws Error that names the file; Cancelled.
+/// Reads images and finds their spheres. @param like an entry of a description, of which shape, camera and lights are
+/// copied; null: a sphere, the default camera and the environment "studio". @throws Error that names the file;
+/// Cancelled.
 std::vector<PhotographItem> readPhotographs(const QStringList& paths, const nlohmann::json& like,
                                             const TaskControl& control = {});
 

@@ -163,7 +163,10 @@ QString PhotographPanel::statusText() const {
   for (const PhotographItem& item : inputs.items())
     if (!item.isOutlineFound)
       return tr("No sphere was found in %1. Drag the circle onto its outline.").arg(item.name());
-  if (!m_session.result()) return tr("Check outline, camera and light of each photograph, then press Reconstruct.");
+  if (!m_session.result())
+    return std::ranges::any_of(inputs.items(), &PhotographItem::hasOutline)
+               ? tr("Check outline, camera and light of each photograph, then press Reconstruct.")
+               : tr("Check camera and light of each photograph, then press Reconstruct.");
   if (!m_session.isResultCurrent()) return tr("The input has changed. Press Reconstruct again.");
   return tr("Training set: %1", "of the Acquisition panel").arg(m_acquisition.controls().training().training().name);
 }

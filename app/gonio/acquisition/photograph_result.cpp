@@ -25,7 +25,8 @@ constexpr int mapSide = 200;
 
 /// The map of one photograph: each pixel has the colour of the nearest region, if it is as near as its square reaches.
 QImage residualMap(const photograph::PhotographFit& fit, const std::vector<double>& residuals, std::size_t photograph,
-                   const matching::Disc& disc, double range) {
+                   const PhotographItem& item, double range) {
+  const matching::Disc disc = item.disc();
   std::vector<std::size_t> own;
   for (std::size_t i = 0; i < fit.regions.size(); ++i)
     if (fit.regions[i].photograph == photograph) own.push_back(i);
@@ -41,7 +42,7 @@ QImage residualMap(const photograph::PhotographFit& fit, const std::vector<doubl
     for (int x = 0; x < mapSide; ++x) {
       const glm::dvec2 place =
           (glm::dvec2(x + 0.5, y + 0.5) * (2.0 / mapSide) - 1.0) * (widgets::ResidualView::mapExtent * disc.radius);
-      if (glm::length(place) > disc.radius) continue;
+      if (item.hasOutline() && glm::length(place) > disc.radius) continue;
       const glm::dvec2 pixel = place + glm::dvec2(disc.x, disc.y);
       std::size_t nearest = own.front();
       double least = std::numeric_limits<double>::infinity();
@@ -102,11 +103,12 @@ double fieldOfViewAround(double distance) {
   return 2 * std::atan(margin / std::sqrt(distance * distance - 1));
 }
 
+/// The reconstruction on a sphere that fills the picture, or on another surface as the photograph shows it.
 QImage sphereOf(const TabulatedBrdf& table, const photograph::Photograph& photograph, double factor,
                 const rendering::RenderOptions& picture, const TaskControl& control) {
   rendering::Scene scene = photograph::sceneOf(photograph, photograph.image.width, photograph.image.height);
-  // Wherever the sphere is in the photograph.
-  scene.camera.fieldOfView = fieldOfViewAround(scene.camera.distance);
+  // Wherever a sphere is in the photograph.
+  if (photograph::isSphere(photograph.surface)) scene.camera.fieldOfView = fieldOfViewAround(scene.camera.distance);
   return photographColours(rendering::renderPicture(table, scene, picture, control), factor);
 }
 
@@ -138,7 +140,8 @@ PhotographResultPtr reconstructPhotographs(const PhotographTraining& training, c
   for (std::size_t i = 0; i < count; ++i) {
     const photograph::Photograph& photograph = set.photographs[i];
     result->paths << inputs[i].path();
-    result->residuals.push_back(residualMap(result->fit, residuals, i, photograph.disc, result->residualRange));
+    result->showsSphere.push_back(inputs[i].hasOutline());
+    result->residuals.push_back(residualMap(result->fit, residuals, i, inputs[i], result->residualRange));
     result->spheres.push_back(
         sphereOf(*result->table, photograph, result->fit.exposure * inputs[i].brightness, picture,
                  control.between(0.9 + 0.1 * double(i) / double(count), 0.9 + 0.1 * double(i + 1) / double(count))));

@@ -29,10 +29,13 @@ struct PhotographResult {
   photograph::PhotographFit fit;
   std::shared_ptr<const TabulatedBrdf> table;
   QStringList paths;              ///< of the photographs
+  std::vector<bool> showsSphere;  ///< or another shape: of each photograph
   std::vector<QImage> residuals;  ///< one per photograph, for widgets::ResidualView
   double residualRange = 0;       ///< relative difference in the last colours of all of them
-  std::vector<QImage> spheres;    ///< of the reconstruction in the light of each photograph, as bright as its image
-  QStringList lights;             ///< names of these lights
+  /// Of the reconstruction in the light of each photograph, as bright as its image; of other shapes as in the
+  /// photograph.
+  std::vector<QImage> spheres;
+  QStringList lights;                                         ///< names of these lights
   std::vector<widgets::UncertaintyCurve::Point> uncertainty;  ///< one per half angle of the grid
 };
 using PhotographResultPtr = std::shared_ptr<const PhotographResult>;

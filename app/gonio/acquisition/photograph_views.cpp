@@ -66,7 +66,7 @@ QLabel* paragraph(const char* name) {
   return label;
 }
 
-/// The sphere of a photograph, and its residual beside it.
+/// The sphere (or the whole image of another shape) of a photograph, and its residual beside it.
 QPixmap stripPicture(const PhotographItem& item, const QImage& residual, double pixelRatio) {
   const int side = int(std::lround(stripSide * pixelRatio)), gap = side / 16;
   QPixmap picture(residual.isNull() ? side : 2 * side + gap, side);
@@ -114,7 +114,9 @@ QStringList photographWarnings(const PhotographResultPtr& result) {
   constexpr double poorSnr = 10;  // dB
   for (std::size_t i = 0; i < result->fit.residualSnr.size(); ++i)
     if (const double snr = result->fit.residualSnr[i]; snr < poorSnr)
-      texts << PhotographViews::tr("The reconstruction explains %1 poorly: check its outline, camera and light.")
+      texts << (result->showsSphere[i]
+                    ? PhotographViews::tr("The reconstruction explains %1 poorly: check its outline, camera and light.")
+                    : PhotographViews::tr("The reconstruction explains %1 poorly: check its shape, camera and light."))
                    .arg(result->paths[qsizetype(i)].section('/', -1));
   for (const std::string& warning : result->fit.warnings) {
     QString text = QString::fromStdString(warning);
@@ -259,6 +261,7 @@ void PhotographViews::showPhotograph() {
   const PhotographItem& item = m_session.inputs()[std::size_t(m_current)];
   m_title->setToolTip(item.path());
   m_outline->setImage(item.shown, item.disc(), item.size);
+  m_outline->setHasOutline(item.hasOutline());
   const auto place = m_session.placeInResult(std::size_t(m_current));
   m_residualTitle->setText(place ? tr("Residual: SNR %1 dB").arg(m_session.result()->fit.residualSnr[*place], 0, 'f', 1)
                                  : tr("Residual"));

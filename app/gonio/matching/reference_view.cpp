@@ -17,7 +17,16 @@ constexpr double rimReach = 8;
 ReferenceView::ReferenceView(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setAccessibleName(tr("Reference image"));
-  setToolTip(tr("The circle is the outline of the sphere: drag its inside to move it, its outline to resize it"));
+  setHasOutline(true);
+}
+
+void ReferenceView::setHasOutline(bool hasOutline) {
+  m_hasOutline = hasOutline;
+  setToolTip(hasOutline ? tr("The circle is the outline of the sphere: drag its inside to move it, its outline to "
+                             "resize it")
+                        : QString());
+  if (!hasOutline) setCursor(Qt::ArrowCursor);
+  update();
 }
 
 void ReferenceView::setImage(const QImage& image, const matching::Disc& disc, const QSize& size) {
@@ -46,6 +55,7 @@ void ReferenceView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.drawImage(QRectF(toWidget({0, 0}), scale() * QSizeF(m_size)), m_image);
+  if (!m_hasOutline) return;
   const QPointF centre = toWidget({m_disc.x, m_disc.y});
   const double radius = scale() * m_disc.radius;
   painter.setBrush(Qt::NoBrush);
@@ -57,7 +67,7 @@ void ReferenceView::paintEvent(QPaintEvent*) {
 }
 
 ReferenceView::Part ReferenceView::partAt(const QPointF& position) const {
-  if (m_image.isNull()) return Part::none;
+  if (m_image.isNull() || !m_hasOutline) return Part::none;
   const QPointF offset = position - toWidget({m_disc.x, m_disc.y});
   const double distance = std::hypot(offset.x(), offset.y()), radius = scale() * m_disc.radius;
   if (std::abs(distance - radius) <= rimReach) return Part::rim;

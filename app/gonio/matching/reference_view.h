@@ -19,6 +19,8 @@ class ReferenceView : public QWidget {
 
   /// @param size of the image in the pixels of `disc` and toWidget(), if `image` is a reduced version of it.
   void setImage(const QImage& image, const matching::Disc& disc, const QSize& size = {});
+  /// Whether there is a circle (default); without one, the image is only placed by the disc.
+  void setHasOutline(bool hasOutline);
   /// @param pixels of the sphere on the screen.
   void setShownRadius(double pixels);
   /// From pixels of the image to the widget.
@@ -46,6 +48,7 @@ class ReferenceView : public QWidget {
   matching::Disc m_placed;   ///< the image is placed by this one, so that it stays during a drag
   matching::Disc m_pressed;  ///< at the beginning of the drag
   double m_radius = 100;
+  bool m_hasOutline = true;
   Part m_dragged = Part::none;
   QPointF m_start;
 };

@@ -220,6 +220,48 @@ class PhotographPanelTest : public QObject {
     QVERIFY(editor.session.result());
   }
 
+  /// Shapes without an outline: the image, its residual and the reconstruction are shown, and only what applies is
+  /// asked.
+  void otherShapesHaveNoOutline() {
+    Editor editor;
+    const QByteArray text =
+        QByteArray(descriptionText)
+            .replace("\"camera\"", "\"shape\": {\"flat\": {\"normal\": [0.4, 0.2, 1], \"radius\": 0.9}}, \"camera\"");
+    const auto material = materials::readMaterial(editor.library.training.ids[3].toStdString());
+    const auto set = photograph::parseDescription(text.toStdString(), {}, false).set;
+    editor.write("front.exr",
+                 rendering::renderPicture(*material.brdf, photograph::sceneOf(set.photographs[0], side, side),
+                                          {.width = side, .height = side, .samples = 32, .density = {}}));
+    editor.writeText("photographs.json", text);
+    QVERIFY(editor.open({"photographs.json"}));
+    QVERIFY2(editor.failed.isEmpty(), qPrintable(editor.failure()));
+    QVERIFY(!editor.field("Centre x").isVisible() && !editor.field("Radius").isVisible() &&
+            !editor.button("Find").isVisible());
+    QCOMPARE(editor.panel.status(), "Check camera and light of each photograph, then press Reconstruct.");
+    // The mouse moves nothing.
+    ReferenceView& view = editor.panel.views().outline();
+    const std::string before = editor.session.inputs().description();
+    QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
+    QTest::mouseMove(&view, view.rect().center() + QPoint(9, 5));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center() + QPoint(9, 5));
+    QCOMPARE(editor.session.inputs().description(), before);
+    QVERIFY2(editor.reconstruct(), qPrintable(editor.failure()));
+    const PhotographResult& result = *editor.session.result();
+    QVERIFY2(result.fit.residualSnr[0] > 25, QByteArray::number(result.fit.residualSnr[0]));
+    QVERIFY(!editor.panel.findChild<QLabel*>("checks")->text().contains("outline"));
+    // The map covers the image: the disc in its middle, nothing in its corners.
+    const QImage& map = editor.panel.views().residual().map();
+    QVERIFY(map.pixelColor(map.width() / 2, map.height() / 2).alpha() > 0);
+    QCOMPARE(map.pixelColor(2, 2).alpha(), 0);
+    // A further image is one of the same shape; a sphere shows the outline again.
+    editor.write("second.exr", editor.rendered());
+    QVERIFY(editor.open({"second.exr"}));
+    QVERIFY2(editor.session.inputs().size() == 2, qPrintable(editor.failure()));
+    QVERIFY(!editor.session.inputs()[1].hasOutline() && editor.session.inputs()[1].isOutlineFound);
+    QVERIFY(editor.openDescription());
+    QVERIFY(editor.field("Radius").isVisible());
+  }
+
   /// Where the photograph is brighter than the reconstruction, the map is orange: red above blue.
   void theResidualHasASign() {
     Editor editor;

@@ -65,6 +65,30 @@ class GoniotoolPhotographTest : public QObject {
     QVERIFY2(text.out.contains("studio.exr: sphere at 24, 24"), qPrintable(text.out));
   }
 
+  /// A cylinder is simulated, planned and fitted like a sphere, without an outline.
+  void otherShapes() {
+    const QByteArray shape = quoted(", 'shape': {'cylinder': {'axis': [0, 1, 0], 'length': 1.8}}");
+    folder_.writeText("cylinder.json", description("cylinder.exr", quoted("{'environment': 'studio'}"), shape));
+    const QString file = folder_.path("cylinder.json"), out = folder_.path("cylinder.binary");
+    VERIFY_SUCCESS(runTool({"photograph", "simulate", file, folder_.path("train/train2.binary")}));
+    const ToolResult found = runJson(fitting("cylinder.json") + QStringList{"--out", out});
+    VERIFY_SUCCESS(found);
+    const auto& image = found.json["images"][0];
+    QCOMPARE(image["shape"].get<std::string>(), std::string("cylinder"));
+    QVERIFY(!image.contains("sphere"));
+    QVERIFY2(image["residualSnr"].get<double>() > 20, qPrintable(found.out));
+    for (const auto& check : found.json["checks"])
+      QVERIFY(!check["property"].get<std::string>().starts_with("outline"));
+    const ToolResult text = runTool(fitting("cylinder.json") + QStringList{"--out", out});
+    VERIFY_SUCCESS(text);
+    QVERIFY2(text.out.contains("cylinder.exr: cylinder; residual"), qPrintable(text.out));
+    const ToolResult planned = runJson({"photograph", "plan", file, "--train", folder_.path("train"), "--rotations",
+                                        "2", "--cameras", "2", "--materials", "2"});
+    VERIFY_SUCCESS(planned);
+    QVERIFY(planned.json["images"][1]["deviation"].get<double>() <
+            planned.json["images"][0]["deviation"].get<double>());
+  }
+
   /// The planned description has one image more; it can be simulated and fitted.
   void plans() {
     const QString next = folder_.path("next.json");
@@ -136,6 +160,10 @@ class GoniotoolPhotographTest : public QObject {
     QTest::newRow("no such image") << description("missing.exr", studio) << "missing.exr";
     QTest::newRow("no such environment") << description("studio.exr", quoted("{'environment': 'moon'}")) << "moon";
     QTest::newRow("misspelt member") << description("studio.exr", studio, quoted(", 'shpere': 1")) << "shpere";
+    QTest::newRow("shape and outline") << description("studio.exr", studio,
+                                                      quoted(", 'shape': {'flat': {'normal': [0, 0, 1], 'radius': 1}}, "
+                                                             "'sphere': 'find'"))
+                                       << "images[0].sphere";
     QTest::newRow("gamma of a linear image") << description("studio.exr", studio, quoted(", 'gamma': 2.2")) << "gamma";
     QTest::newRow("grey patch outside") << description("studio.exr", studio,
                                                        quoted(", 'greyPatch': {'x': 90, 'y': 0, 'width': 4, 'height': "

@@ -63,7 +63,38 @@ class PhotographDescriptionTest : public QObject {
     QCOMPARE(photograph.disc.x, 50.0);
     QVERIFY(std::abs(photograph.disc.radius - 40 / std::sqrt(15.0) / std::tan(radians(31.5 / 2))) < 1e-9);
     QVERIFY(std::abs(sceneOf(photograph, 100, 80).camera.fieldOfView - radians(31.5)) < 1e-9);
-    QCOMPARE(found.sizes[0], glm::ivec2(100, 80));
+    QCOMPARE(photograph.size, glm::ivec2(100, 80));
+  }
+
+  void otherShapesAreRead() {
+    const auto read = [](const std::string& shape) {
+      return parseDescription(description(imageWith(studio + quoted(", 'shape': " + shape))), folder, true)
+          .set.photographs[0]
+          .surface;
+    };
+    const auto cylinder = std::get<Cylinder>(read("{'cylinder': {'axis': [0, 0.5, 0], 'length': 1.5}}"));
+    QVERIFY(cylinder.axis == Direction(0, 1, 0) && cylinder.length == 1.5);
+    const auto rectangle = std::get<FlatSample>(read("{'flat': {'normal': [0, 0, 3], 'width': 2, 'height': 1.5}}"));
+    QVERIFY(rectangle.normal == Direction(0, 0, 1) && rectangle.width == 2 && rectangle.height == 1.5);
+    QVERIFY(!rectangle.isRound);
+    const auto disc = std::get<FlatSample>(read("{'flat': {'normal': [0, 1, 1], 'radius': 0.7}}"));
+    QVERIFY(disc.isRound && disc.width == 1.4 && disc.height == 1.4);
+    QVERIFY(isSphere(parseDescription(description(imageWith(studio)), folder, true).set.photographs[0].surface));
+  }
+
+  /// The camera of other shapes may look beside their middle, and the scene shows them so.
+  void cameraLooksElsewhere() {
+    const std::string image =
+        quoted(
+            "{'file': 'photograph.exr', 'camera': {'position': [0.5, 0, 4], 'lookAt': [0.5, 0, 1]}, "
+            "'shape': {'flat': {'normal': [0, 0, 1], 'radius': 1}}") +
+        studio + "}";
+    const Photograph photograph = parseDescription(description(image), folder, true).set.photographs[0];
+    QCOMPARE(photograph.camera.target, Direction(0.5, 0, 1));
+    QCOMPARE(photograph.camera.distance, 3.0);
+    const SeenPoint middle = SurfaceView(photograph).at({20, 20});
+    QVERIFY(glm::length(middle.position - Direction(0.5, 0, 0)) < 1e-12);
+    QVERIFY(glm::length(rendering::cameraFrame(sceneOf(photograph, 40, 40).camera).eye - Direction(0.5, 0, 4)) < 1e-12);
   }
 
   void clippedPixelsAreFound() {
@@ -144,6 +175,36 @@ class PhotographDescriptionTest : public QObject {
     row("camera inside",
         description(quoted("{'file': 'photograph.exr', 'camera': {'position': [0, 0, 0.5]}") + studio + "}"),
         "above 1");
+    const auto shape = [&](const std::string& of, const std::string& members = {}) {
+      return description(imageWith(studio + quoted(", 'shape': " + of + members)));
+    };
+    const std::string sample = "{'flat': {'normal': [0, 0, 1], 'width': 2, 'height': 2}}";
+    row("unknown shape", shape("{'cube': {}}"), "images[0].shape: found an object, expected {\"cylinder\"");
+    row("shape of two", shape("{'cylinder': {'axis': [0, 1, 0], 'length': 2}, 'flat': {}}"), "images[0].shape");
+    row("shape as text", shape("'cylinder'"), "images[0].shape");
+    row("cylinder without axis", shape("{'cylinder': {'length': 2}}"), "images[0].shape.cylinder.axis");
+    row("cylinder without direction", shape("{'cylinder': {'axis': [0, 0, 0], 'length': 2}}"), "a direction");
+    row("cylinder without length", shape("{'cylinder': {'axis': [0, 1, 0]}}"), "images[0].shape.cylinder.length");
+    row("cylinder with a radius", shape("{'cylinder': {'axis': [0, 1, 0], 'length': 2, 'radius': 2}}"), "radius");
+    row("flat sample without height", shape("{'flat': {'normal': [0, 0, 1], 'width': 2}}"),
+        "images[0].shape.flat.height");
+    row("flat sample of two sizes", shape("{'flat': {'normal': [0, 0, 1], 'radius': 2, 'width': 2}}"), "width");
+    row("flat sample seen from behind", shape("{'flat': {'normal': [0, 0, -1], 'radius': 2}}"),
+        "images[0].camera.position");
+    row("camera in line with a cylinder", shape("{'cylinder': {'axis': [0, 0, 1], 'length': 2}}"), "from the axis");
+    row("shape and outline", shape(sample, ", 'sphere': {'x': 20, 'y': 20, 'radius': 15}"), "images[0].sphere");
+    row("shape and outline to find", shape(sample, ", 'sphere': 'find'"), "images[0].sphere");
+    row("light in a cylinder",
+        description(imageWith(quoted(", 'shape': {'cylinder': {'axis': [0, 1, 0], 'length': 2}}, 'lights': "
+                                     "[{'position': [0, 0.5, 0], 'intensity': [1, 1, 1]}]"))),
+        "outside of the cylinder");
+    const auto lookingAt = [](const std::string& members) {
+      return description(quoted("{'file': 'photograph.exr', 'camera': {'position': [0, 0, 4], 'lookAt': " + members) +
+                         studio + "}");
+    };
+    row("camera beside the sample", lookingAt("[30, 0, 4]}, 'shape': " + sample), "in its image");
+    row("camera looks nowhere", lookingAt("[0, 0, 4]}, 'shape': " + sample), "images[0].camera.lookAt");
+    row("camera beside the sphere", lookingAt("[0, 0, 1]}"), "images[0].camera.lookAt");
     row("exposure", quoted("{'format': 'gonio photographs', 'version': 1, 'exposure': 'auto', 'images': []}"),
         "exposure");
   }

@@ -41,11 +41,13 @@ const PhotographPrior& prior() {
 }
 
 /// A picture by the path tracer.
-PhotographSet photographOf(const Brdf& material, float factor = 1) {
+PhotographSet photographOf(const Brdf& material, float factor = 1, const Surface& surface = {}) {
   Photograph photograph{.name = "test",
                         .image = {},
                         .disc = {},
                         .camera = {.pitch = 0.1},
+                        .surface = surface,
+                        .size = {64, 64},
                         .light = {.environment = rendering::studioEnvironment(), .rotation = 0.4}};
   photograph.disc = discOf(photograph.camera, 64, 64);
   photograph.image = rendering::renderPicture(material, sceneOf(photograph, 64, 64),
@@ -76,6 +78,26 @@ class PhotographFitTest : public QObject {
       QVERIFY2(snr > 25, QByteArray::number(snr));
       QCOMPARE(fit.exposure, 1.0);
       for (const auto& value : found->values()) QVERIFY(value.x >= 0 && value.y >= 0 && value.z >= 0);
+    }
+  }
+
+  /// The same from a cylinder, and from four images of a flat sample that is turned. Only spheres have outlines that
+  /// can be checked.
+  void recoversFromOtherSurfaces() {
+    const TabulatedBrdf& material = *tables()[9];
+    const PhotographSet cylinder = photographOf(material, 1, Cylinder{glm::normalize(Direction(0.2, 1, 0)), 1.8});
+    PhotographSet flat = photographOf(material, 1, FlatSample{{0, 0, 1}, 1.8, 1.4});
+    for (const double angle : {radians(-50.0), radians(-20.0), radians(40.0)}) {
+      const Direction normal(std::sin(angle), 0, std::cos(angle));
+      flat.photographs.push_back(photographOf(material, 1, FlatSample{normal, 1.8, 1.4, true}).photographs[0]);
+    }
+    for (const PhotographSet& set : {cylinder, flat}) {
+      const PhotographFit fit = fitPhotographs(prior(), set, quick);
+      const double snr = snrUnderOtherLight(material, *dictionary::decode(basis(), fit.code));
+      for (const double residual : fit.residualSnr) QVERIFY2(residual > 30, QByteArray::number(residual));
+      QVERIFY2(snr > 20, QByteArray::number(snr));
+      QCOMPARE(fit.checks.size(), std::size_t(3));
+      for (const InputCheck& check : fit.checks) QVERIFY(!check.isSuspicious);
     }
   }
 
@@ -124,6 +146,17 @@ class PhotographFitTest : public QObject {
     QVERIFY2(std::abs(strongest->estimate + 1) < 0.5, text);
     QVERIFY2(strongest->isSuspicious, text);
     QCOMPARE(fit.warnings.size(), std::size_t(1));
+  }
+
+  /// The other checks hold for all surfaces.
+  void recognisesARotatedEnvironment() {
+    PhotographSet set = photographOf(*tables()[0], 1, Cylinder{{0, 1, 0}, 1.8});
+    set.photographs[0].light.rotation += radians(4);
+    const PhotographFit fit = fitPhotographs(prior(), set, quick);
+    const auto strongest = std::ranges::max_element(fit.checks, {}, &InputCheck::evidence);
+    QVERIFY2(strongest->property == "rotation" && strongest->isSuspicious, strongest->property.c_str());
+    QVERIFY2(std::abs(strongest->estimate + radians(4)) < radians(1.5),
+             QByteArray::number(degrees(strongest->estimate)));
   }
 
   /// What a material leaves unexplained widens its uncertainty, within limits.

@@ -176,6 +176,23 @@ class PhotographPlanTest : public QObject {
     QVERIFY(std::isnan(of.classes[2]));
   }
 
+  /// Turns of a flat sample are candidates, too. Turned away from the light, it shows nothing.
+  void turnsAFlatSample() {
+    std::vector<Photograph> turned;
+    for (const Direction& normal : {Direction(0, 0, 1), Direction(-0.8, 0, 0.6), Direction(0.8, 0, 0.6)}) {
+      turned.push_back(underDistantLight({1, 0, 0.2}));
+      turned.back().surface = FlatSample{.normal = normal};
+      turned.back().size = {48, 48};
+    }
+    const auto plan = planPhotographs(prior(), setOf({turned[0]}), turned, oneClass, 1, few);
+    const double taken = plan.taken[0].overall;
+    QVERIFY(taken < plan.before.overall);
+    QVERIFY(std::abs(plan.candidates[1].overall - taken) < 1e-9);
+    for (const std::size_t lit : {0, 2})
+      QVERIFY2(plan.candidates[lit].overall < 0.995 * taken, QByteArray::number(plan.candidates[lit].overall / taken));
+    QVERIFY(plan.chosen[0] != 1);
+  }
+
   void needsCandidates() {
     QVERIFY_THROWS_EXCEPTION(Error, planPhotographs(prior(), setOf({}), {}, oneClass, 1));
     QVERIFY_THROWS_EXCEPTION(
@@ -203,6 +220,13 @@ class PhotographPlanTest : public QObject {
     QCOMPARE(chosen.set.photographs.size(), std::size_t(3));
     QCOMPARE(chosen.set.photographs[2].name, std::string("rotation-090.exr"));
     QVERIFY(chosen.candidates.empty());
+    // From behind, a flat sample is not seen.
+    const std::string flat =
+        R"({"format": "gonio photographs", "version": 1, "images": [{"file": "a.exr", "camera": {"position": [0, 1, 4]},
+            "shape": {"flat": {"normal": [1, 0, 2], "radius": 1}}, "lights": [{"environment": "studio"}]}]})";
+    const auto front = parseDescription(withCandidates(flat, {.cameras = 8}), {}, false);
+    QCOMPARE(front.candidates.size(), std::size_t(4));
+    for (const Photograph& of : front.candidates) QVERIFY(!isSphere(of.surface));
     const std::string lamp = R"({"images": [{"file": "a.exr", "camera": {"position": [0, 1, 4]}, "lights": []}]})";
     QVERIFY_THROWS_EXCEPTION(Error, withCandidates(lamp, {.rotations = 4}));
     QVERIFY_THROWS_EXCEPTION(Error, withCandidates("{}", {.lights = 1}));

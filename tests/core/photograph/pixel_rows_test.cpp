@@ -28,8 +28,10 @@ std::vector<glm::vec3> valuesOf(const dictionary::MappedCells& mapping, const Ta
 }
 
 /// A photograph without pixels.
-Photograph view(const Light& light, int side = 32) {
+Photograph view(const Light& light, int side = 32, const Surface& surface = {}) {
   Photograph photograph{.name = "test", .image = {}, .disc = {}, .camera = {.yaw = 0.3, .pitch = 0.2}, .light = light};
+  photograph.surface = surface;
+  photograph.size = {side, side};
   photograph.disc = discOf(photograph.camera, side, side);
   return photograph;
 }
@@ -41,18 +43,39 @@ std::vector<Region> greyRegions(Photograph photograph, std::size_t most, int sid
   return regionsOf({.photographs = {photograph}, .warnings = {}}, most);
 }
 
-/// The point of the unit sphere that a scene's camera sees at a place of a square image, as the renderer finds it.
+/// The point of a surface that a scene's camera sees at a place of a square image.
 struct Seen {
-  Direction normal, toViewer;
+  Direction position, normal, toViewer;
 };
 Seen seen(const Photograph& photograph, const glm::dvec2& pixel, int side) {
   const rendering::Scene scene = sceneOf(photograph, side, side);
   const Ray ray =
       rendering::cameraRay(rendering::cameraFrame(scene.camera), 2 * pixel.x / side - 1, 1 - 2 * pixel.y / side, 1);
-  const double along = glm::dot(ray.origin, ray.direction);
-  const double depth = -along - std::sqrt(along * along - glm::dot(ray.origin, ray.origin) + 1);
-  return {ray.origin + depth * ray.direction, -ray.direction};
+  if (const auto* flat = std::get_if<FlatSample>(&photograph.surface)) {
+    const double depth = glm::dot(ray.origin, flat->normal) / -glm::dot(ray.direction, flat->normal);
+    return {ray.origin + depth * ray.direction, flat->normal, -ray.direction};
+  }
+  // The cylinder is the sphere of a plane across its axis.
+  const auto* cylinder = std::get_if<Cylinder>(&photograph.surface);
+  const auto across = [&](const Direction& of) {
+    return cylinder ? of - glm::dot(of, cylinder->axis) * cylinder->axis : of;
+  };
+  const Direction origin = across(ray.origin), direction = across(ray.direction);
+  const double a = glm::dot(direction, direction), b = glm::dot(origin, direction), c = glm::dot(origin, origin) - 1;
+  const double depth = (-b - std::sqrt(b * b - a * c)) / a;
+  return {ray.origin + depth * ray.direction, origin + depth * direction, -ray.direction};
 }
+
+const Surface slantedCylinder = Cylinder{glm::normalize(Direction(0.5, 1, 0.2)), 1.6};
+const Surface turnedSample = FlatSample{glm::normalize(Direction(-0.6, 0.4, 1)), 1.6, 1.2};
+
+void addSurfaces() {
+  QTest::addColumn<int>("surface");
+  QTest::newRow("sphere") << 0;
+  QTest::newRow("cylinder") << 1;
+  QTest::newRow("flat sample") << 2;
+}
+Surface surfaceAt(int row) { return row == 0 ? Surface(UnitSphere{}) : row == 1 ? slantedCylinder : turnedSample; }
 
 /// Directions in a frame of which z is the normal.
 DirectionPair localPair(const Seen& seen, const Direction& toLight) {
@@ -67,9 +90,11 @@ class PixelRowsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   /// Closed form: the radiance is albedo times that of the light.
+  void lambertianUnderConstantLight_data() { addSurfaces(); }
   void lambertianUnderConstantLight() {
+    QFETCH(int, surface);
     const dictionary::MappedCells mapping = allCells({30, 15, 18, true});
-    const Photograph photograph = view({.environment = rendering::furnaceEnvironment()});
+    const Photograph photograph = view({.environment = rendering::furnaceEnvironment()}, 32, surfaceAt(surface));
     const PhotographSet set{.photographs = {photograph}, .warnings = {}};
     const auto regions = greyRegions(photograph, 60);
     const PixelRows rows = assembleRows(mapping, set, regions);
@@ -82,38 +107,53 @@ class PixelRowsTest : public QObject {
     }
   }
 
-  /// The value of the table, interpolated by TabulatedBrdf, times irradiance and cosine.
+  /// The value of the table, interpolated by TabulatedBrdf, times irradiance and cosine: of a distant and a small
+  /// light.
+  void tableUnderDistantLight_data() { addSurfaces(); }
   void tableUnderDistantLight() {
+    QFETCH(int, surface);
     const HalfDifferenceGrid grid{45, 30, 36, true};
     const auto table = bakeTable(*test::ggx(Rgb(0.1, 0.2, 0.3), Rgb(0.8), 0.3, 0.1), grid);
     const dictionary::MappedCells mapping = allCells(grid);
     const rendering::DirectionalLight light{glm::normalize(Direction(0.5, 0.4, 0.6)), Rgb(1, 2, 3)};
-    const Photograph photograph = view({.environment = nullptr, .directional = {light}, .points = {}});
+    const rendering::PointLight small{{-1, 0.5, 2.5}, Rgb(20, 10, 5)};
+    const Photograph photograph =
+        view({.environment = nullptr, .directional = {light}, .points = {small}}, 32, surfaceAt(surface));
     const auto regions = greyRegions(photograph, 1000);
     for (const Region& region : regions) QCOMPARE(region.points.size(), std::size_t(1));
     const auto values =
         assembleRows(mapping, {.photographs = {photograph}, .warnings = {}}, regions).values(valuesOf(mapping, *table));
     int lit = 0;
     for (std::size_t row = 0; row < values.size(); ++row) {
-      const DirectionPair pair = localPair(seen(photograph, regions[row].points[0].pixel, 32), light.toLight);
-      const Rgb expected = pair.wi.z > 0 ? table->evaluate(pair.wi, pair.wo) * light.irradiance * pair.wi.z : Rgb(0);
-      lit += pair.wi.z > 0;
+      const Seen point = seen(photograph, regions[row].points[0].pixel, 32);
+      const Direction toSmall = small.position - point.position;
+      const std::pair<Direction, Rgb> lights[] = {
+          {light.toLight, light.irradiance}, {glm::normalize(toSmall), small.intensity / glm::dot(toSmall, toSmall)}};
+      Rgb expected(0);
+      for (const auto& [toLight, irradiance] : lights) {
+        const DirectionPair pair = localPair(point, toLight);
+        if (!(pair.wi.z > 0)) continue;
+        expected += table->evaluate(pair.wi, pair.wo) * irradiance * pair.wi.z;
+        ++lit;
+      }
       for (int channel = 0; channel < 3; ++channel)
         QVERIFY2(std::abs(values[row][channel] - expected[channel]) < 1e-5 * (1 + expected[channel]),
                  QByteArray::number(values[row][channel]) + " not " + QByteArray::number(expected[channel]));
     }
-    QVERIFY(lit > 100);
+    QVERIFY2(lit > 100, QByteArray::number(lit));
   }
 
   /// Every texel of the environment by itself.
+  void tableUnderEnvironment_data() { addSurfaces(); }
   void tableUnderEnvironment() {
+    QFETCH(int, surface);
     const HalfDifferenceGrid grid{90, 30, 36, true};
     const auto table = bakeTable(*test::ggx(Rgb(0.1), Rgb(1), 0.15, 0.1), grid);
     const dictionary::MappedCells mapping = allCells(grid);
     const auto environment = rendering::studioEnvironment();
     const double rotation = 0.7;
-    const Photograph photograph = view({.environment = environment, .rotation = rotation});
-    auto regions = greyRegions(photograph, 12);
+    const Photograph photograph = view({.environment = environment, .rotation = rotation}, 32, surfaceAt(surface));
+    auto regions = greyRegions(photograph, surface == 0 ? 12 : 6);
     for (Region& region : regions) region.points = {{region.centre, 1}};
     const auto values =
         assembleRows(mapping, {.photographs = {photograph}, .warnings = {}}, regions).values(valuesOf(mapping, *table));
