@@ -77,7 +77,8 @@ class GoniotoolUsageTest : public QObject {
     for (const char* number : {"nan", "NAN", "inf", "-inf", "infinity", "1e999", "-1e999"})
       QTest::newRow(number) << number;
   }
-  /// Every option of every subcommand that takes a number; options are checked before required arguments are missed.
+  /// Every option of every subcommand that takes a number, with nan; every tenth with the other numbers, which the same
+  /// function refuses. Options are checked before required arguments are missed.
   void numbersAreFinite() {
     QFETCH(QString, number);
     int numeric = 0;
@@ -86,6 +87,7 @@ class GoniotoolUsageTest : public QObject {
       if (isText(option.word)) continue;
       ++numeric;
       commands.insert(option.command.join(' '));
+      if (number != "nan" && numeric % 10 != 1) continue;
       const ToolResult result = runTool(option.command + QStringList{option.name} + valuesWith(option.word, number));
       const QString what = (option.command + QStringList{option.name, option.word, result.error}).join(' ');
       QVERIFY2(result.code == 2 && result.errorLines() == 1, qPrintable(what));
