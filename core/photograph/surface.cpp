@@ -7,7 +7,6 @@
 
 #include "core/geometry/bundled_meshes.h"
 #include "core/photograph/photograph.h"
-#include "core/support/json_object.h"
 
 namespace gonio::photograph {
 

@@ -7,10 +7,7 @@
 
 #include "core/matching/sphere_finder.h"
 #include "core/rendering/scene.h"
-
-namespace gonio {
-class JsonObject;
-}
+#include "core/support/json_object.h"
 
 /// The surfaces that a material covers in photographs, and what a camera sees of them. Their middle is the origin of
 /// the world. All are convex: nothing but the horizon of its normal shadows a point.
