@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <vector>
 
 #include "app/gonio/document/material_code.h"
 #include "core/factorization/pdv_operations.h"
@@ -160,17 +161,29 @@ FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
   auto* row = new widgets::FlowLayout(m_buttons);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2);
+  std::vector<QToolButton*> widening;
   for (const Button& one : buttons) {
-    const bool widens = one.operation == FactorOperation::wider || one.operation == FactorOperation::narrower;
-    if (widens && axis != FactorAxis::deviation) continue;
     auto* button = new QToolButton;
     button->setText(FactorColumnText::tr(one.text));
+    if (axis != FactorAxis::deviation &&
+        (one.operation == FactorOperation::wider || one.operation == FactorOperation::narrower)) {
+      widening.push_back(button);
+      continue;
+    }
     button->setToolTip(FactorColumnText::tr(one.toolTip));
     button->setAutoRepeat(one.operation != FactorOperation::reset);
     button->setFocusPolicy(Qt::StrongFocus);
     row->addWidget(button);
     connect(button, &QToolButton::clicked, this,
             [this, operation = one.operation] { Q_EMIT operationChosen(operation); });
+  }
+  // Only F2 has these; the others leave their room, so that all charts have the same height.
+  for (QToolButton* button : widening) {
+    QSizePolicy policy = button->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    button->setSizePolicy(policy);
+    row->addWidget(button);
+    button->hide();
   }
   auto* note = new QLabel(axis == FactorAxis::theta ? FactorColumnText::tr("Use F1 of This Material")
                                                     : FactorColumnText::tr("Use F2 of This Material"),
