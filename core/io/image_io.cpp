@@ -3,14 +3,14 @@
 #include "core/io/image_io.h"
 
 #include <spng.h>
-#define STBI_WRITE_NO_STDIO
-#include <stb/stb_image_write.h>
 #include <turbojpeg.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "core/io/atomic_file.h"
@@ -23,7 +23,7 @@ namespace gonio::io {
 
 namespace {
 
-/// Whether deflate and Huffman codes can hold so many pixels: deflate shrinks to a thousandth, eight pixels a byte.
+/// Deflate shrinks to a thousandth, and a byte holds eight pixels of one bit; JPEG is less dense.
 constexpr std::size_t maxEncodedPixelsPerByte = 16384;
 
 bool isPng(std::span<const std::byte> bytes) {
@@ -47,26 +47,36 @@ Image storedImage(int width, int height, const std::vector<Value>& values, std::
   return image;
 }
 
+using Png = std::unique_ptr<spng_ctx, void (*)(spng_ctx*)>;
+
+/// @param flags 0 to read, SPNG_CTX_ENCODER to write.
+Png makePng(int flags) {
+  Png png(spng_ctx_new(flags), spng_ctx_free);
+  if (!png) throw std::bad_alloc();
+  return png;
+}
+
+void checkPng(int code, const char* what) {
+  if (code != 0) throw Error(std::string(what) + " (" + spng_strerror(code) + ")");
+}
+
 Image decodePng(std::span<const std::byte> bytes) {
-  const auto check = [](int code) {
-    if (code != 0) throw Error(std::string("found a PNG image that cannot be read (") + spng_strerror(code) + ")");
-  };
-  const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(0), spng_ctx_free);
-  if (!context) throw Error("the PNG decoder ran out of memory");
-  check(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()));
+  const char* what = "found a PNG image that cannot be read";
+  const Png png = makePng(0);
+  checkPng(spng_set_png_buffer(png.get(), bytes.data(), bytes.size()), what);
   spng_ihdr header;
-  check(spng_get_ihdr(context.get(), &header));
+  checkPng(spng_get_ihdr(png.get(), &header), what);
   checkImageSize(header.width, header.height, bytes.size(), maxEncodedPixelsPerByte);
   constexpr std::size_t channels = 4;
   std::vector<std::uint16_t> values(channels * header.width * header.height);
-  check(spng_decode_image(context.get(), values.data(), values.size() * sizeof values[0], SPNG_FMT_RGBA16, 0));
+  checkPng(spng_decode_image(png.get(), values.data(), values.size() * sizeof values[0], SPNG_FMT_RGBA16, 0), what);
   return storedImage(int(header.width), int(header.height), values, channels);
 }
 
 /// A file that is damaged or cut off is refused too, which the decoder only warns of.
 Image decodeJpeg(std::span<const std::byte> bytes) {
   const std::unique_ptr<void, int (*)(void*)> decoder(tjInitDecompress(), tjDestroy);
-  if (!decoder) throw Error("the JPEG decoder ran out of memory");
+  if (!decoder) throw std::bad_alloc();
   const auto check = [&](int code) {
     if (code != 0)
       throw Error(std::string("found a JPEG image that cannot be read (") + tjGetErrorStr2(decoder.get()) + ")");
@@ -127,16 +137,23 @@ void writeExr(const Image& image, const std::filesystem::path& path,
 }
 
 std::vector<std::byte> encodePng(const std::vector<unsigned char>& rgba, int width, int height) {
-  std::vector<std::byte> bytes;
   checkShape(rgba.size() == std::size_t(width) * std::size_t(height) * 4, width, height);
-  const auto collect = [](void* user, void* data, int count) {
-    const std::span added(static_cast<const std::byte*>(data), std::size_t(count));
-    auto& target = *static_cast<std::vector<std::byte>*>(user);
-    target.insert(target.end(), added.begin(), added.end());
-  };
-  if (!stbi_write_png_to_func(collect, &bytes, width, height, 4, rgba.data(), 4 * width))
-    throw Error("the PNG encoder ran out of memory");
-  return bytes;
+  const char* what = "the PNG image cannot be encoded";
+  const Png png = makePng(SPNG_CTX_ENCODER);
+  spng_ihdr header{};
+  header.width = std::uint32_t(width);
+  header.height = std::uint32_t(height);
+  header.bit_depth = 8;
+  header.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+  checkPng(spng_set_ihdr(png.get(), &header), what);
+  checkPng(spng_set_option(png.get(), SPNG_ENCODE_TO_BUFFER, 1), what);
+  checkPng(spng_encode_image(png.get(), rgba.data(), rgba.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE), what);
+  std::size_t size = 0;
+  int code = 0;
+  const std::unique_ptr<void, void (*)(void*)> buffer(spng_get_png_buffer(png.get(), &size, &code), std::free);
+  checkPng(code, what);
+  const auto* bytes = static_cast<const std::byte*>(buffer.get());
+  return {bytes, bytes + size};
 }
 
 void writePng(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path) {

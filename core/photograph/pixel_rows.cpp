@@ -144,13 +144,7 @@ std::size_t regionsOfEach(const PhotographSet& set, std::size_t most) {
 
 }  // namespace
 
-bool hasUsedPixels(const Photograph& photograph) {
-  const SurfaceView view(photograph);
-  for (int y = 0; y < photograph.size.y; ++y)
-    for (int x = 0; x < photograph.size.x; ++x)
-      if (view.shows({x + 0.5, y + 0.5}, usedRadius)) return true;
-  return false;
-}
+bool hasUsedPixels(const Photograph& photograph) { return UsedPixels(photograph).count() > 0; }
 
 bool isUsable(const Photograph& photograph, int x, int y) {
   const Image& image = photograph.image;
@@ -303,17 +297,9 @@ class BlockPyramid {
 };
 
 /// A point that a camera sees, with a frame of which z is the normal.
-struct FramedPoint : SeenPoint {
-  Direction tangent, bitangent;  ///< world
-
-  explicit FramedPoint(const SeenPoint& seen) : SeenPoint(seen) {
-    const Direction helper = std::abs(normal.y) < 0.9 ? Direction(0, 1, 0) : Direction(1, 0, 0);
-    tangent = glm::normalize(glm::cross(helper, normal));
-    bitangent = glm::cross(normal, tangent);
-  }
-  Direction local(const Direction& world) const {
-    return {glm::dot(tangent, world), glm::dot(bitangent, world), glm::dot(normal, world)};
-  }
+struct FramedPoint {
+  SeenPoint seen;
+  rendering::ShadingFrame frame = rendering::anyFrame(seen.normal);
 };
 
 /// The row of one region: weights of all cells in a dense array, and the cells in use.
@@ -324,9 +310,9 @@ class RowBuilder {
 
   /// Adds the light from a direction at a point. @param irradiance perpendicular to the direction.
   void add(const FramedPoint& point, const Direction& toLight, const Rgb& irradiance) {
-    const Direction wi = point.local(toLight);
+    const Direction wi = point.frame.toLocal(toLight);
     if (!(wi.z > 0)) return;
-    pairs_[pending_] = {wi, point.local(point.toViewer)};
+    pairs_[pending_] = {wi, point.frame.toLocal(point.seen.toViewer)};
     irradiances_[pending_] = irradiance * wi.z;
     if (++pending_ == HalfDifferenceBlock::capacity) flush();
   }
@@ -338,11 +324,11 @@ class RowBuilder {
     constexpr double coarseness = 4;
     const double last = grid_.thetaHCount;
     environment.visit([&](const Rgb& irradiance, const Direction& direction, double extent) {
-      const double cosine = glm::dot(direction, point.normal);
+      const double cosine = glm::dot(direction, point.seen.normal);
       if (cosine < -std::sin(std::min(halfPi, extent))) return true;
       if (extent > 0) {
-        const Direction sum = direction + point.toViewer;
-        const double length = glm::length(sum), cosH = std::clamp(glm::dot(sum, point.normal) / length, 0.0, 1.0);
+        const Direction sum = direction + point.seen.toViewer;
+        const double length = glm::length(sum), cosH = std::clamp(glm::dot(sum, point.seen.normal) / length, 0.0, 1.0);
         const double cosD = std::max(0.1, 0.5 * length);
         // The half vector turns half as far as the light, or farther where light and viewer are far apart.
         const double thetaH = std::max(0.0, std::acos(cosH) - 0.25 * extent / cosD);
@@ -451,12 +437,12 @@ PixelRows assembleRows(const dictionary::MappedCells& mapping, const PhotographS
           const Region& region = regions[row];
           const Light& light = set.photographs[region.photograph].light;
           for (const auto& [pixel, share] : region.points) {
-            const FramedPoint point(views[region.photograph].at(pixel));
+            const FramedPoint point{views[region.photograph].at(pixel)};
             if (const BlockPyramid* pyramid = pyramidOf[region.photograph]) builder.add(point, *pyramid, share);
             for (const rendering::DirectionalLight& distant : light.directional)
               builder.add(point, distant.toLight, distant.irradiance * share);
             for (const rendering::PointLight& small : light.points) {
-              const Direction offset = small.position - point.position;
+              const Direction offset = small.position - point.seen.position;
               const double square = glm::dot(offset, offset);
               builder.add(point, offset / std::sqrt(square), small.intensity * (share / square));
             }

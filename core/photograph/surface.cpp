@@ -12,19 +12,13 @@ namespace gonio::photograph {
 
 namespace {
 
-template <class... Cases>
-struct BySurface : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-BySurface(Cases...) -> BySurface<Cases...>;
+using rendering::Overloaded;
 
 constexpr double minLength = 1e-3, maxLength = 1e4;
 
 /// The nearest intersection of a ray with a cylinder without ends; of rays beside it, the nearest point of the
 /// silhouette.
 struct CylinderHit {
-  double t;
   double offset;  ///< distance of the ray from the axis
   Direction normal;
   double along;  ///< place along the axis
@@ -37,7 +31,7 @@ struct CylinderHit {
                     direction = ray.direction - directionAlong * cylinder.axis;
     const double square = glm::dot(direction, direction), middle = -glm::dot(origin, direction) / square;
     offset = glm::length(origin + middle * direction);
-    t = middle - std::sqrt(std::max(0.0, 1 - offset * offset) / square);
+    const double t = middle - std::sqrt(std::max(0.0, 1 - offset * offset) / square);
     normal = glm::normalize(origin + t * direction);
     along = originAlong + t * directionAlong;
     isInFront = t > 0;
@@ -54,14 +48,13 @@ rendering::Shape meshShape(geometry::TriangleMesh mesh) {
 rendering::Shape cylinderShape(const Cylinder& cylinder) {
   const double half = cylinder.length / 2;
   const std::array<glm::dvec2, 4> profile{{{0, -half}, {1, -half}, {1, half}, {0, half}}};
-  const Direction& y = cylinder.axis;
-  const Direction helper = std::abs(y.y) < 0.9 ? Direction(0, 1, 0) : Direction(1, 0, 0);
-  const Direction z = glm::normalize(glm::cross(helper, y)), x = glm::cross(y, z);
+  const auto [z, x, y] = rendering::anyFrame(cylinder.axis);
   return meshShape(geometry::transformed(geometry::revolvedMesh(profile, roundSegments), glm::dmat3(x, y, z)));
 }
 
 rendering::Shape flatShape(const FlatSample& flat) {
-  const Direction u = flat.width / 2 * flat.right(), v = flat.height / 2 * flat.up();
+  const auto [right, up, normal] = rendering::shadingFrame(flat.normal);
+  const Direction u = flat.width / 2 * right, v = flat.height / 2 * up;
   if (!flat.isRound) return rendering::Rectangle{Direction(0), u, v};
   geometry::MeshArrays mesh{.positions = {glm::vec3(0)}, .triangles = {}, .normals = {}};
   for (std::uint32_t i = 0; i < roundSegments; ++i) {
@@ -74,7 +67,8 @@ rendering::Shape flatShape(const FlatSample& flat) {
 
 /// Place on a flat sample in units of its half sides.
 glm::dvec2 placeOn(const FlatSample& flat, const Direction& point) {
-  return {2 * glm::dot(point, flat.right()) / flat.width, 2 * glm::dot(point, flat.up()) / flat.height};
+  const Direction local = rendering::shadingFrame(flat.normal).toLocal(point);
+  return {2 * local.x / flat.width, 2 * local.y / flat.height};
 }
 
 bool isOn(const FlatSample& flat, const Direction& point, double fraction) {
@@ -84,15 +78,9 @@ bool isOn(const FlatSample& flat, const Direction& point, double fraction) {
 
 }  // namespace
 
-Direction FlatSample::right() const {
-  constexpr double vertical = 1e-6;
-  const double horizontal = std::hypot(normal.x, normal.z);
-  return horizontal > vertical ? Direction(normal.z, 0, -normal.x) / horizontal : Direction(1, 0, 0);
-}
-
 std::string_view surfaceName(const Surface& surface) {
-  return std::visit(BySurface{[](const UnitSphere&) { return "sphere"; }, [](const Cylinder&) { return "cylinder"; },
-                              [](const FlatSample&) { return "flat sample"; }},
+  return std::visit(Overloaded{[](const UnitSphere&) { return "sphere"; }, [](const Cylinder&) { return "cylinder"; },
+                               [](const FlatSample&) { return "flat sample"; }},
                     surface);
 }
 
@@ -130,30 +118,30 @@ Surface readSurface(const JsonObject& image) {
 }
 
 rendering::Shape renderedShape(const Surface& surface) {
-  return std::visit(BySurface{[](const UnitSphere&) { return rendering::Shape(rendering::Sphere{}); },
-                              [](const Cylinder& of) { return cylinderShape(of); },
-                              [](const FlatSample& of) { return flatShape(of); }},
+  return std::visit(Overloaded{[](const UnitSphere&) { return rendering::Shape(rendering::Sphere{}); },
+                               [](const Cylinder& of) { return cylinderShape(of); },
+                               [](const FlatSample& of) { return flatShape(of); }},
                     surface);
 }
 
 bool isOutside(const Surface& surface, const Direction& point) {
-  return std::visit(BySurface{[&](const UnitSphere&) { return glm::length(point) > 1; },
-                              [&](const Cylinder& of) { return glm::length(glm::cross(point, of.axis)) > 1; },
-                              [&](const FlatSample& of) { return glm::dot(point, of.normal) > 0; }},
+  return std::visit(Overloaded{[&](const UnitSphere&) { return glm::length(point) > 1; },
+                               [&](const Cylinder& of) { return glm::length(glm::cross(point, of.axis)) > 1; },
+                               [&](const FlatSample& of) { return glm::dot(point, of.normal) > 0; }},
                     surface);
 }
 
 bool occupies(const Surface& surface, const Direction& point) {
-  return std::visit(BySurface{[&](const UnitSphere&) { return !(glm::length(point) > 1); },
-                              [&](const Cylinder& of) {
-                                return glm::length(glm::cross(point, of.axis)) <= 1 &&
-                                       std::abs(glm::dot(point, of.axis)) <= of.length / 2;
-                              },
-                              [&](const FlatSample& of) {
-                                constexpr double thickness = 1e-6;  // of the larger side
-                                return isOn(of, point, 1) && std::abs(glm::dot(point, of.normal)) <=
-                                                                 thickness * std::max(of.width, of.height);
-                              }},
+  return std::visit(Overloaded{[&](const UnitSphere&) { return !(glm::length(point) > 1); },
+                               [&](const Cylinder& of) {
+                                 return glm::length(glm::cross(point, of.axis)) <= 1 &&
+                                        std::abs(glm::dot(point, of.axis)) <= of.length / 2;
+                               },
+                               [&](const FlatSample& of) {
+                                 constexpr double thickness = 1e-6;  // of the larger side
+                                 return isOn(of, point, 1) && std::abs(glm::dot(point, of.normal)) <=
+                                                                  thickness * std::max(of.width, of.height);
+                               }},
                     surface);
 }
 
@@ -169,10 +157,8 @@ ImagePlane imagePlane(const Photograph& photograph) {
 SurfaceView::SurfaceView(const Photograph& photograph)
     : surface_(photograph.surface),
       frame_(rendering::cameraFrame(photograph.camera)),
-      disc_(photograph.disc),
-      distance_(photograph.camera.distance),
-      tangent_(1 / std::sqrt(distance_ * distance_ - 1)),
-      plane_(imagePlane(photograph)) {}
+      plane_(imagePlane(photograph)),
+      outline_(photograph.disc.radius) {}
 
 Ray SurfaceView::ray(const glm::dvec2& pixel) const {
   const glm::dvec2 offset = plane_.perPixel * (pixel - plane_.centre);
@@ -180,35 +166,38 @@ Ray SurfaceView::ray(const glm::dvec2& pixel) const {
 }
 
 SeenPoint SurfaceView::at(const glm::dvec2& pixel) const {
-  if (const auto* cylinder = std::get_if<Cylinder>(&surface_)) {
-    const Ray seen = ray(pixel);
-    const CylinderHit hit(*cylinder, seen);
-    return {hit.normal + hit.along * cylinder->axis, hit.normal, -seen.direction};
-  }
-  if (const auto* flat = std::get_if<FlatSample>(&surface_)) {
-    const Ray seen = ray(pixel);
-    const double t = -glm::dot(seen.origin, flat->normal) / glm::dot(seen.direction, flat->normal);
-    return {seen.origin + t * seen.direction, flat->normal, -seen.direction};
-  }
-  const double x = (pixel.x - disc_.x) / disc_.radius, y = -(pixel.y - disc_.y) / disc_.radius;
-  const Direction ray = glm::normalize(frame_.forward + tangent_ * (x * frame_.right + y * frame_.up));
-  const double along = glm::dot(ray, -distance_ * frame_.forward);
-  const double depth = -along - std::sqrt(std::max(0.0, along * along - (distance_ * distance_ - 1)));
-  const Direction normal = glm::normalize(-distance_ * frame_.forward + depth * ray);
-  return {normal, normal, -ray};
+  const Ray seen = ray(pixel);
+  const auto seenAt = [&](double t) { return seen.origin + t * seen.direction; };
+  return std::visit(
+      Overloaded{[&](const UnitSphere&) {
+                   const double middle = -glm::dot(seen.origin, seen.direction);
+                   const double square = middle * middle - (glm::dot(seen.origin, seen.origin) - 1);
+                   const Direction normal = glm::normalize(seenAt(middle - std::sqrt(std::max(0.0, square))));
+                   return SeenPoint{normal, normal, -seen.direction};
+                 },
+                 [&](const Cylinder& of) {
+                   const CylinderHit hit(of, seen);
+                   return SeenPoint{hit.normal + hit.along * of.axis, hit.normal, -seen.direction};
+                 },
+                 [&](const FlatSample& of) {
+                   const double t = -glm::dot(seen.origin, of.normal) / glm::dot(seen.direction, of.normal);
+                   return SeenPoint{seenAt(t), of.normal, -seen.direction};
+                 }},
+      surface_);
 }
 
 bool SurfaceView::shows(const glm::dvec2& pixel, double fraction) const {
-  if (const auto* cylinder = std::get_if<Cylinder>(&surface_)) {
-    const CylinderHit hit(*cylinder, ray(pixel));
-    return hit.isInFront && hit.offset <= fraction && std::abs(hit.along) <= fraction * cylinder->length / 2;
-  }
-  if (const auto* flat = std::get_if<FlatSample>(&surface_)) {
-    const Ray seen = ray(pixel);
-    if (!(glm::dot(seen.direction, flat->normal) < 0)) return false;
-    return isOn(*flat, at(pixel).position, fraction);
-  }
-  return std::hypot(pixel.x - disc_.x, pixel.y - disc_.y) <= fraction * disc_.radius;
+  return std::visit(
+      Overloaded{[&](const UnitSphere&) { return glm::length(pixel - plane_.centre) <= fraction * outline_; },
+                 [&](const Cylinder& of) {
+                   const CylinderHit hit(of, ray(pixel));
+                   return hit.isInFront && hit.offset <= fraction && std::abs(hit.along) <= fraction * of.length / 2;
+                 },
+                 [&](const FlatSample& of) {
+                   const SeenPoint point = at(pixel);
+                   return glm::dot(point.toViewer, of.normal) > 0 && isOn(of, point.position, fraction);
+                 }},
+      surface_);
 }
 
 }  // namespace gonio::photograph

@@ -15,6 +15,7 @@ namespace gonio::photograph {
 
 struct Photograph;
 
+/// A sphere of radius 1.
 struct UnitSphere {};
 
 /// A cylinder of radius 1, of which the side is photographed.
@@ -23,15 +24,12 @@ struct Cylinder {
   double length = 2;
 };
 
-/// A flat sample, of which the front is photographed, in any unit of length.
+/// A flat sample, of which the front is photographed, in any unit of length. Width and height are along the tangent and
+/// the bitangent of rendering::shadingFrame(): the width is horizontal.
 struct FlatSample {
   Direction normal{0, 0, 1};  ///< of the front: world, unit
   double width = 2, height = 2;
   bool isRound = false;  ///< an ellipse of this size instead of a rectangle
-
-  /// Direction of the width: horizontal; +x if the normal is vertical.
-  Direction right() const;
-  Direction up() const { return glm::cross(normal, right()); }
 };
 
 using Surface = std::variant<UnitSphere, Cylinder, FlatSample>;
@@ -86,9 +84,8 @@ class SurfaceView {
 
   Surface surface_;
   rendering::CameraFrame frame_;
-  matching::Disc disc_;
-  double distance_, tangent_;  ///< of a sphere: distance of the camera, tangent of the half angle of the silhouette
-  ImagePlane plane_;           ///< of the other surfaces
+  ImagePlane plane_;
+  double outline_;  ///< radius of the outline of a sphere, pixels
 };
 
 }  // namespace gonio::photograph

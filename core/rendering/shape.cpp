@@ -13,13 +13,6 @@ namespace {
 
 constexpr double noHit = std::numeric_limits<double>::infinity();
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
-
 double nearest(const Sphere& sphere, const Ray& ray, double tMin, double tMax) {
   const Direction toOrigin = ray.origin - sphere.centre;
   const double middle = -glm::dot(toOrigin, ray.direction);

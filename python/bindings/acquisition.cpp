@@ -215,10 +215,11 @@ py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int
                double minSeparation, const std::vector<std::array<double, 6>>& forbidden, std::uint64_t seed,
                int restarts, const py::object& progress) {
   const auto found = std::ranges::find(selectionMethodNames, method);
-  if (found == selectionMethodNames.end())
-    throw Error("method: found '" + method +
-                "', expected auto, somp, somp-first-columns, somp-unnormalised, condition-number, random, uniform or "
-                "a-optimal");
+  if (found == selectionMethodNames.end()) {
+    std::string message = "method: found '" + method + "', expected one of";
+    for (const std::string_view name : selectionMethodNames) message.append(" ").append(name);
+    throw Error(message);
+  }
   const SelectionOptions options{.method = SelectionMethod(found - selectionMethodNames.begin()),
                                  .samples = samples,
                                  .components = components,

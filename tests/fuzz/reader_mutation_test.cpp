@@ -3,8 +3,6 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
-#define STBI_WRITE_NO_STDIO
-#include <stb/stb_image_write.h>
 
 #include <QTest>
 #include <array>
@@ -130,16 +128,9 @@ Bytes unusualExrSeed(bool isCube) {
 }
 
 Bytes encodedSeed(bool isJpeg) {
-  std::vector<unsigned char> rgba(16 * 12 * 4);
-  for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = static_cast<unsigned char>(i * 7);
-  if (!isJpeg) return io::encodePng(rgba, 16, 12);
-  Bytes bytes;
-  const auto collect = [](void* user, void* data, int count) {
-    const std::span added(static_cast<const std::byte*>(data), std::size_t(count));
-    static_cast<Bytes*>(user)->insert(static_cast<Bytes*>(user)->end(), added.begin(), added.end());
-  };
-  stbi_write_jpg_to_func(collect, &bytes, 16, 12, 4, rgba.data(), 90);
-  return bytes;
+  std::vector<unsigned char> values(16 * 12 * (isJpeg ? 3 : 4));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<unsigned char>(i * 7);
+  return isJpeg ? test::jpegFile(values, 16, 12) : io::encodePng(values, 16, 12);
 }
 
 /// "" when all mutations of the seed were read or refused as they should.

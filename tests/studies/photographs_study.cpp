@@ -299,21 +299,28 @@ PhotographSet mitsubaPhotograph(const std::filesystem::path& shared, const std::
   return set;
 }
 
+/// A picture by Gonio of a material as described but for the image and its size. @param options size, samples, seed.
+photograph::Photograph taken(const Brdf& truth, photograph::Photograph photo, const rendering::RenderOptions& options) {
+  photo.size = {options.width, options.height};
+  photo.disc = photograph::discOf(photo.camera, options.width, options.height);
+  photo.image = rendering::renderPicture(truth, photograph::sceneOf(photo, options.width, options.height), options);
+  return photo;
+}
+
 /// Pictures of a material by Gonio, the environment turned by equal steps.
-PhotographSet photographs(const Brdf& truth, rendering::Scene scene, int count,
+PhotographSet photographs(const Brdf& truth, const rendering::Scene& scene, int count,
                           const rendering::RenderOptions& options) {
   PhotographSet set;
   for (int i = 0; i < count; ++i) {
-    scene.environmentRotation = 2 * pi * i / count;
     rendering::RenderOptions one = options;
     one.seed += std::uint64_t(i);
-    photograph::Photograph photo{.name = "image " + std::to_string(i + 1),
-                                 .image = rendering::renderPicture(truth, scene, one),
-                                 .disc = {},
-                                 .camera = scene.camera,
-                                 .light = {.environment = scene.environment, .rotation = scene.environmentRotation}};
-    photo.disc = photograph::discOf(photo.camera, photo.image.width, photo.image.height);
-    set.photographs.push_back(std::move(photo));
+    set.photographs.push_back(taken(truth,
+                                    {.name = "image " + std::to_string(i + 1),
+                                     .image = {},
+                                     .disc = {},
+                                     .camera = scene.camera,
+                                     .light = {.environment = scene.environment, .rotation = 2 * pi * i / count}},
+                                    one));
   }
   return set;
 }
@@ -370,18 +377,14 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
 /// A picture of a surface by Gonio.
 photograph::Photograph pictureOf(const Brdf& truth, const rendering::Scene& studio, const photograph::Surface& surface,
                                  double distance, std::uint64_t seed) {
-  constexpr int side = 128;
-  photograph::Photograph photo{.name = "image " + std::to_string(seed),
-                               .image = {},
-                               .disc = {},
-                               .camera = {.distance = distance},
-                               .surface = surface,
-                               .size = {side, side},
-                               .light = {.environment = studio.environment}};
-  photo.disc = photograph::discOf(photo.camera, side, side);
-  photo.image = rendering::renderPicture(truth, photograph::sceneOf(photo, side, side),
-                                         {.width = side, .height = side, .samples = 32, .seed = seed, .density = {}});
-  return photo;
+  return taken(truth,
+               {.name = "image " + std::to_string(seed),
+                .image = {},
+                .disc = {},
+                .camera = {.distance = distance},
+                .surface = surface,
+                .light = {.environment = studio.environment}},
+               {.width = 128, .height = 128, .samples = 32, .seed = seed, .density = {}});
 }
 
 int shapes(const std::filesystem::path& shared, const std::vector<std::string>& materials) {

@@ -11,8 +11,6 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <spng.h>
-#define STBI_WRITE_NO_STDIO
-#include <stb/stb_image_write.h>
 
 #include <QTest>
 #include <algorithm>
@@ -366,13 +364,7 @@ class ImageIoTest : public QObject {
     const Image deep = io::readEncodedImage(std::span(static_cast<const std::byte*>(png.get()), bytes));
     for (std::size_t i = 0; i < grey16.size(); ++i)
       QVERIFY(glm::length(deep.pixels[i] - glm::vec3(float(grey16[i]) / 65535.0f)) < 1e-7f);
-    Bytes jpeg;
-    const std::vector<unsigned char> grey(16 * 16 * 3, 100);
-    const auto collect = [](void* user, void* data, int count) {
-      const auto* begin = static_cast<const std::byte*>(data);
-      static_cast<Bytes*>(user)->insert(static_cast<Bytes*>(user)->end(), begin, begin + count);
-    };
-    QVERIFY(stbi_write_jpg_to_func(collect, &jpeg, 16, 16, 3, grey.data(), 95) != 0);
+    Bytes jpeg = jpegFile(std::vector<unsigned char>(16 * 16 * 3, 100), 16, 16);
     writeFile("io/image/grey.jpg", jpeg);
     for (const glm::vec3& pixel : io::readEncodedImage(outputPath("io/image/grey.jpg")).pixels)
       QVERIFY(glm::length(pixel - glm::vec3(100 / 255.0f)) < 0.02f);

@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <turbojpeg.h>
+
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +24,18 @@ template <typename T>
 void append(Bytes& bytes, const T& value) {
   bytes.resize(bytes.size() + sizeof(T));
   std::memcpy(bytes.data() + bytes.size() - sizeof(T), &value, sizeof(T));
+}
+
+/// @param rgb width x height x 3 values.
+inline Bytes jpegFile(const std::vector<unsigned char>& rgb, int width, int height) {
+  constexpr int quality = 95;
+  const std::unique_ptr<void, int (*)(void*)> encoder(tjInitCompress(), tjDestroy);
+  unsigned char* buffer = nullptr;
+  unsigned long size = 0;
+  if (tjCompress2(encoder.get(), rgb.data(), width, 0, height, TJPF_RGB, &buffer, &size, TJSAMP_444, quality, 0) != 0)
+    throw Error(tjGetErrorStr2(encoder.get()));
+  const std::unique_ptr<unsigned char, void (*)(unsigned char*)> jpeg(buffer, tjFree);
+  return {reinterpret_cast<const std::byte*>(buffer), reinterpret_cast<const std::byte*>(buffer) + size};
 }
 
 /// A file of the test output folder; its folders are made.

@@ -60,7 +60,8 @@ class SurfaceTest : public QObject {
           if (cylinder && isInner)
             QVERIFY(std::abs(glm::dot(hit->position, cylinder->axis)) < cylinder->length / 4 + segment);
           if (const auto* flat = std::get_if<FlatSample>(&surface); flat && isInner)
-            QVERIFY(std::abs(glm::dot(hit->position, flat->right())) < flat->width / 4 + segment);
+            QVERIFY(std::abs(rendering::shadingFrame(flat->normal).toLocal(hit->position).x) <
+                    flat->width / 4 + segment);
         }
       const QByteArray counts = QByteArray(surfaceName(surface).data()) + ": " + QByteArray::number(shown) +
                                 " shown, " + QByteArray::number(inner) + " inner, " + QByteArray::number(differing) +
@@ -70,16 +71,20 @@ class SurfaceTest : public QObject {
     }
   }
 
-  /// The width is horizontal, and width, height and normal are a right-handed frame.
+  /// The width is horizontal, and width, height and normal are a right-handed frame: a small light beside the middle
+  /// is in the sample if it is within half the width along the first and half the height along the second.
   void flatSamplesHaveAFrame() {
     for (const Direction& normal :
          {Direction(0, 0, 1), Direction(0, 1, 0), glm::normalize(Direction(1, -2, -3)), Direction(0, -1, 0)}) {
-      const FlatSample flat{.normal = normal};
-      QVERIFY(std::abs(flat.right().y) < 1e-12);
-      QVERIFY(std::abs(glm::dot(flat.right(), normal)) < 1e-12);
-      QVERIFY(glm::length(glm::cross(flat.right(), flat.up()) - normal) < 1e-12);
+      const auto [right, up, front] = rendering::shadingFrame(normal);
+      QVERIFY(std::abs(right.y) < 1e-12);
+      QVERIFY(std::abs(glm::dot(right, normal)) < 1e-12);
+      QVERIFY(glm::length(glm::cross(right, up) - normal) < 1e-12);
+      const FlatSample flat{.normal = normal, .width = 4, .height = 1};
+      QVERIFY(occupies(flat, 1.9 * right + 0.4 * up) && !occupies(flat, 0.4 * right + 1.9 * up));
+      QVERIFY(!occupies(flat, 2.1 * right) && !occupies(flat, 0.6 * up));
     }
-    QVERIFY(glm::length(FlatSample{}.right() - Direction(1, 0, 0)) < 1e-12);
+    QVERIFY(glm::length(rendering::shadingFrame(FlatSample{}.normal).tangent - Direction(1, 0, 0)) < 1e-12);
   }
 
   void outsideAndInside() {
