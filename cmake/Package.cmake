@@ -54,6 +54,6 @@ if(GONIO_PYTHON_VERSION)
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3 (>= ${GONIO_PYTHON_VERSION}), python3 (<< 3.${next}), python3-numpy")
 endif()
 # The widths of Helvetica, the font of figures; Qt's plugin for Wayland.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-liberation, qt6-wayland")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, fonts-liberation, qt6-wayland")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-matplotlib, blender")
 include(CPack)

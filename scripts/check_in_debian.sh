@@ -80,7 +80,7 @@ END
 
 inside() {
   chroot "$system" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM="${TERM:-dumb}" \
-    ${DISPLAY:+DISPLAY="$DISPLAY"} LIBGL_ALWAYS_SOFTWARE=1 bash -c "cd /src/gonio && $1"
+    ${DISPLAY:+DISPLAY="$DISPLAY"} XDG_RUNTIME_DIR=/run/user/0 LIBGL_ALWAYS_SOFTWARE=1 bash -c "cd /src/gonio && $1"
 }
 
 # Until a window of that title is there, or the process ends. window PROCESS PICTURE
@@ -102,7 +102,8 @@ shown() {
   pkill -P $process || true
   kill $process 2>/dev/null || true
   wait $process 2>/dev/null || true
-  sed -i '/^gonio: installing/d' "$results/$1.err"
+  # apt's own word about a system without apt-utils.
+  sed -i '/^gonio: installing/d; /^debconf: delaying package configuration/d' "$results/$1.err"
   [ ! -s "$results/$1.err" ] || { cat "$results/$1.err" >&2; return 1; }
 }
 
@@ -146,6 +147,7 @@ if [ ! -d "$system" ]; then
   tar -C "$system" -xf "$base"
 fi
 cp /etc/resolv.conf "$system/etc/resolv.conf"
+mkdir -p -m 700 "$system/run/user/0"  # of the session, as on every desktop
 mkdir -p "$system/src" "$system/var/cache/apt/archives"
 mount --bind "$cache/packages-$release" "$system/var/cache/apt/archives"
 mount -t proc proc "$system/proc"
