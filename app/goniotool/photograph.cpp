@@ -71,6 +71,7 @@ Json checksJson(const std::vector<photograph::InputCheck>& checks) {
                     {"estimate", unit * check.estimate},
                     {"deviation", unit * check.deviation},
                     {"evidence", check.evidence},
+                    {"snr", check.unexplainedSnr},
                     {"suspicious", check.isSuspicious}});
   }
   return json;

@@ -21,7 +21,8 @@ struct InputCheck {
   double estimate = 0;   ///< difference from the stated value: of a logarithm (exposure, gamma), in pixels, or in rad
   double deviation = 0;  ///< posterior standard deviation of the estimate, at least that (widening())
   double evidence = 0;   ///< half the squared ratio of estimate and deviation: the gain of log likelihood
-  bool isSuspicious = false;  ///< whether the estimate is significant and large enough to matter
+  double unexplainedSnr = 0;  ///< PhotographFit::unexplainedSnr with the estimated difference, dB
+  bool isSuspicious = false;  ///< whether the estimate is significant, large enough to matter, and explains the pixels
 };
 
 struct PhotographFit {

@@ -76,7 +76,8 @@ py::dict fromImages(const std::string& text, const std::string& folder,
       outlines.append(py::none());
   }
   for (const InputCheck& check : found.fit.checks)
-    checks.append(py::make_tuple(check.property, check.estimate, check.deviation, check.evidence, check.isSuspicious));
+    checks.append(py::make_tuple(check.property, check.estimate, check.deviation, check.evidence, check.unexplainedSnr,
+                                 check.isSuspicious));
   py::dict row;
   row["material"] = newMaterial(name, "photograph", found.table);
   row["exposure"] = found.fit.exposure;

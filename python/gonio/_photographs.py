@@ -29,8 +29,10 @@ class InputCheck:
     """Standard deviation of the estimate."""
     evidence: float
     """Half the squared ratio of estimate and deviation."""
+    snr: float
+    """SNR of the regions of pixels with the difference corrected, without their noise, dB."""
     suspicious: bool
-    """Whether the difference is significant and large enough to matter."""
+    """Whether the difference is significant, large enough to matter, and explains the pixels."""
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@
 // rotated environment, a wrong and an unknown exposure, clipped pixels, and pixels that are not linear.
 // gonio_studies photographs SHARED --shapes [MATERIAL ...]: reconstructions from pictures by Gonio of a sphere, a
 // cylinder and a flat sample, once and turned.
-// gonio_studies photographs SHARED --calibration [COUNT]: errors beside stated deviations of training materials that
-// are left out of the prior, an eighth of them at a time, each from a picture, or four, by Gonio under a bundled
-// environment.
+// gonio_studies photographs SHARED --calibration [COUNT [IMAGES ...]]: errors beside stated deviations of COUNT
+// training materials that are left out of the prior, an eighth of them at a time, each from every number of pictures (1
+// and 4) by Gonio under a bundled environment.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -387,6 +387,18 @@ photograph::Photograph pictureOf(const Brdf& truth, const rendering::Scene& stud
                {.width = 128, .height = 128, .samples = 32, .seed = seed, .density = {}});
 }
 
+/// Pictures of a flat sample that is turned between them.
+PhotographSet turnedSample(const Brdf& truth, const rendering::Scene& studio, int count) {
+  PhotographSet set;
+  for (const double turn : {0.0, 30.0, -45.0, 65.0}) {
+    if (int(set.photographs.size()) == count) break;
+    const Direction normal = glm::normalize(Direction(std::sin(radians(turn)), 0.2, std::cos(radians(turn))));
+    set.photographs.push_back(
+        pictureOf(truth, studio, photograph::FlatSample{.normal = normal}, 4, set.photographs.size() + 1));
+  }
+  return set;
+}
+
 int shapes(const std::filesystem::path& shared, const std::vector<std::string>& materials) {
   const Training training = loadTraining();
   const rendering::Scene studio = test::mitsubaScene(shared);
@@ -402,11 +414,7 @@ int shapes(const std::filesystem::path& shared, const std::vector<std::string>& 
     for (std::size_t i = 0; i < sets.size(); ++i) sets[i].first = names[i];
     sets[0].second.photographs = {pictureOf(*truth, studio, photograph::UnitSphere{}, 4, 1)};
     sets[1].second.photographs = {pictureOf(*truth, studio, photograph::Cylinder{}, 4.6, 1)};
-    for (const double turn : {0.0, 30.0, -45.0, 65.0}) {
-      const Direction normal = glm::normalize(Direction(std::sin(radians(turn)), 0.2, std::cos(radians(turn))));
-      auto& turned = sets[3].second.photographs;
-      turned.push_back(pictureOf(*truth, studio, photograph::FlatSample{.normal = normal}, 4, turned.size() + 1));
-    }
+    sets[3].second = turnedSample(*truth, studio, 4);
     sets[2].second.photographs = {sets[3].second.photographs[0]};
     for (const auto& [name, set] : sets) {
       const auto fit = photograph::fitPhotographs(prior, set);
@@ -423,6 +431,12 @@ int shapes(const std::filesystem::path& shared, const std::vector<std::string>& 
   return 0;
 }
 
+std::string warningsOf(const photograph::PhotographFit& fit) {
+  std::string all;
+  for (const std::string& warning : fit.warnings) all += (all.empty() ? "" : "; ") + warning;
+  return all;
+}
+
 /// What is wrong with the input.
 struct Fault {
   const char* name;
@@ -436,6 +450,10 @@ const Fault faults[] = {
     {"exposure 1.5 times the stated one",
      [](PhotographSet& set) {
        for (glm::vec3& pixel : set.photographs[0].image.pixels) pixel *= 1.5f;
+     }},
+    {"exposure 7 times the stated one",
+     [](PhotographSet& set) {
+       for (glm::vec3& pixel : set.photographs[0].image.pixels) pixel *= 7.0f;
      }},
     {"exposure unknown, 7 times",
      [](PhotographSet& set) {
@@ -459,8 +477,8 @@ const Fault faults[] = {
 int wrongInput(const std::filesystem::path& shared, const std::vector<std::string>& materials) {
   const Training training = loadTraining();
   std::printf(
-      "| material | fault | residual, dB | clip | exposure | strongest check | estimate | evidence | warning |\n"
-      "|---|---|---|---|---|---|---|---|---|\n");
+      "| material | fault | residual, dB | clip | exposure | warnings |\n"
+      "|---|---|---|---|---|---|\n");
   for (const std::string& material : materials) {
     const auto basis = basisWithout(training, material, photograph::defaultPhotographComponents);
     const PhotographPrior prior = photograph::photographPrior(basis);
@@ -468,10 +486,8 @@ int wrongInput(const std::filesystem::path& shared, const std::vector<std::strin
       PhotographSet set = mitsubaPhotograph(shared, material);
       fault.apply(set);
       const auto fit = photograph::fitPhotographs(prior, set, 300);
-      const auto& check = *std::ranges::max_element(fit.checks, {}, &photograph::InputCheck::evidence);
-      std::printf("| %s | %s | %.1f | %.3g | %.3g | %s | %.3g | %.1f | %s |\n", material.c_str(), fault.name,
-                  fit.residualSnr[0], set.photographs[0].clip, fit.exposure, check.property.c_str(), check.estimate,
-                  check.evidence, fit.warnings.empty() ? "" : fit.warnings.front().c_str());
+      std::printf("| %s | %s | %.1f | %.3g | %.3g | %s |\n", material.c_str(), fault.name, fit.residualSnr[0],
+                  set.photographs[0].clip, fit.exposure, warningsOf(fit).c_str());
       std::fflush(stdout);
     }
   }
@@ -508,39 +524,58 @@ ErrorParts errorParts(const dictionary::PrincipalComponents& basis, const photog
   return parts;
 }
 
-int calibration(std::size_t count) {
-  constexpr std::size_t folds = 8, fourOf = 3;
+/// The training materials of a calibration, by their numbers: `count` of them, or those with an RGL file of which
+/// Mitsuba made no picture.
+std::vector<std::size_t> calibrated(const std::filesystem::path& shared, const Training& training, std::size_t count) {
+  std::vector<std::size_t> chosen;
+  const auto rendered = test::mitsubaMaterials();
+  for (std::size_t m = 0; m < training.names.size() && count == 0; ++m)
+    if (std::ranges::find(rendered, training.names[m]) == rendered.end() &&
+        exists(shared / "data/rgl" / (training.names[m] + "_rgb.bsdf")))
+      chosen.push_back(m);
+  for (std::size_t i = 0; i < count; ++i) chosen.push_back(i * training.names.size() / count);
+  return chosen;
+}
+
+int calibration(const std::filesystem::path& shared, std::size_t count, const std::vector<int>& numbersOfImages,
+                bool isFlat) {
+  constexpr std::size_t folds = 8;
   const Training training = loadTraining();
+  const std::vector<std::size_t> chosen = calibrated(shared, training, count);
   std::printf(
       "| material | environment | images | h | model noise | unexplained, dB | squared error inside | stated | outside "
-      "| stated | within one deviation | factor for 0.683 | strongest check | estimate | evidence | reported |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| stated | within one deviation | factor for 0.683 | log exposure if unknown (0 is true) | deviation | warnings "
+      "|\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   const std::vector<std::string> environments{"studio", "window", "sky", "sunset"};
   for (std::size_t fold = 0; fold < folds; ++fold) {
     const auto basis = basisWithout(
         training, [&](std::size_t m) { return m % folds == fold; }, photograph::defaultPhotographComponents);
     const PhotographPrior prior = photograph::photographPrior(basis);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t m = i * training.names.size() / count;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const std::size_t m = chosen[i];
       if (m % folds != fold) continue;
       const std::string& environment = environments[i % environments.size()];
       const TabulatedBrdf& truth = *training.tables[m];
-      const int images = i % fourOf == 0 ? 4 : 1;
-      const auto fit =
-          photograph::fitPhotographs(prior,
-                                     photographs(truth, rendering::sphereScene(rendering::openEnvironment(environment)),
-                                                 images, {.width = 80, .height = 80, .samples = 32, .density = {}}),
-                                     300);
-      double quantile = 0;
-      const double within = coverage(basis, fit, truth, *dictionary::decode(basis, fit.code), quantile);
-      const ErrorParts parts = errorParts(basis, fit, truth);
-      const auto& check = *std::ranges::max_element(fit.checks, {}, &photograph::InputCheck::evidence);
-      std::printf(
-          "| %s | %s | %d | %.2f | %.4f | %.1f | %.4f | %.4f | %.4f | %.4f | %.3f | %.2f | %s | %.3g | %.1f | %s |\n",
-          training.names[m].c_str(), environment.c_str(), images, fit.bandwidth, fit.modelNoise, fit.unexplainedSnr,
-          parts.inside, parts.stated, parts.outside, parts.statedOutside, within, quantile * fit.widening,
-          check.property.c_str(), check.estimate, check.evidence, check.isSuspicious ? "yes" : "no");
-      std::fflush(stdout);
+      std::shared_ptr<const Brdf> file;
+      if (count == 0) file = test::mitsubaMaterial(shared, training.names[m]);
+      const Brdf& shown = file ? *file : truth;
+      for (const int images : numbersOfImages) {
+        const auto scene = rendering::sphereScene(rendering::openEnvironment(environment));
+        const auto fit = photograph::fitPhotographs(
+            prior,
+            isFlat ? turnedSample(shown, scene, images)
+                   : photographs(shown, scene, images, {.width = 128, .height = 128, .samples = 32, .density = {}}));
+        double quantile = 0;
+        const double within = coverage(basis, fit, truth, *dictionary::decode(basis, fit.code), quantile);
+        const ErrorParts parts = errorParts(basis, fit, truth);
+        std::printf(
+            "| %s | %s | %d | %.2f | %.4f | %.1f | %.4f | %.4f | %.4f | %.4f | %.3f | %.2f | %.2f | %.2f | %s |\n",
+            training.names[m].c_str(), environment.c_str(), images, fit.bandwidth, fit.modelNoise, fit.unexplainedSnr,
+            parts.inside, parts.stated, parts.outside, parts.statedOutside, within, quantile * fit.widening,
+            fit.checks.front().estimate, fit.checks.front().deviation, warningsOf(fit).c_str());
+        std::fflush(stdout);
+      }
     }
   }
   return 0;
@@ -550,12 +585,18 @@ int study(int argumentCount, char** arguments) {
   if (argumentCount < 2) {
     std::fprintf(stderr,
                  "usage: gonio_studies photographs SHARED [--uncertainty | --wrong | --shapes | --calibration] "
-                 "[MATERIAL ... | COUNT]\n");
+                 "[MATERIAL ... | COUNT [IMAGES ...] [--flat]]\n");
     return 2;
   }
   std::vector<std::string> materials(arguments + 2, arguments + argumentCount);
-  if (std::erase(materials, "--calibration") > 0)
-    return calibration(materials.empty() ? 48 : std::size_t(std::stoul(materials.front())));
+  if (std::erase(materials, "--calibration") > 0) {
+    const bool isFlat = std::erase(materials, "--flat") > 0;
+    std::vector<int> images;
+    for (std::size_t i = 1; i < materials.size(); ++i) images.push_back(std::stoi(materials[i]));
+    if (images.empty()) images = {1, 4};
+    return calibration(arguments[1], materials.empty() ? 48 : std::size_t(std::stoul(materials.front())), images,
+                       isFlat);
+  }
   const bool isWrong = std::erase(materials, "--wrong") > 0, isUncertainty = std::erase(materials, "--uncertainty") > 0;
   const bool isOfShapes = std::erase(materials, "--shapes") > 0;
   if (materials.empty()) materials = test::mitsubaMaterials();
