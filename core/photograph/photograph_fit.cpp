@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include "core/brdf/data_transform.h"
 #include "core/math/parallel.h"
@@ -38,16 +40,14 @@ MatrixX3d coefficientsOf(const VectorXd& x, Index components) {
   return Eigen::Map<const MatrixX3d>(x.data(), components, channelCount);
 }
 
-/// Everything that the iterations share.
+/// Everything that the iterations share. The unknowns x are the coefficients of red, green and blue.
 struct Problem {
   const PhotographPrior& prior;
   const PixelRows& rows;
   MatrixX3d data, noise;  ///< pixel values and the variances of their noise: rows x channels
-  bool exposureKnown = true;
-  double share = 1;  ///< factor of the information of each row
+  double share = 1;       ///< factor of the information of each row
 
   Index components() const { return prior.d.cols(); }
-  double exposure(const VectorXd& x) const { return exposureKnown ? 1 : std::exp(x[x.size() - 1]); }
   MatrixX3d weights(double modelNoise) const { return pixelWeights(data, noise, modelNoise, share); }
   /// The energy of the data relative to that of differences beyond noise, which is at least a tenth of them; dB.
   double unexplainedSnr(const MatrixX3d& differences) const {
@@ -56,8 +56,12 @@ struct Problem {
   }
   /// Twice the negative logarithm of the probability of x = mean + G w, up to a constant.
   double cost(const VectorXd& x, const VectorXd& w, const MatrixX3d& weights) const {
-    const MatrixX3d difference = data - exposure(x) * pixelValues(prior, rows, coefficientsOf(x, components()));
+    const MatrixX3d difference = data - pixelValues(prior, rows, coefficientsOf(x, components()));
     return difference.cwiseProduct(difference).cwiseProduct(weights).sum() + w.squaredNorm();
+  }
+  /// The same photographs divided by an exposure.
+  Problem dividedBy(double exposure) const {
+    return {prior, rows, data / exposure, noise / (exposure * exposure), share};
   }
 };
 
@@ -70,23 +74,15 @@ struct Quadratic {
 
   Quadratic(const Problem& problem, const PixelLinearisation& at, const VectorXd& about, const MatrixX3d& weights)
       : x(about), curvature(MatrixXd::Zero(about.size(), about.size())), slope(VectorXd::Zero(about.size())) {
-    const Index components = problem.components(), last = about.size() - 1;
-    const double exposure = problem.exposure(about);
+    const Index components = problem.components();
     for (Index channel = 0; channel < channelCount; ++channel) {
       const MatrixXd& jacobian = at.jacobian[std::size_t(channel)];
-      const VectorXd of = exposure * at.values.col(channel), difference = problem.data.col(channel) - of;
-      const VectorXd weight = weights.col(channel);
-      const MatrixXd weighted = exposure * (weight.asDiagonal() * jacobian);
+      const VectorXd difference = problem.data.col(channel) - at.values.col(channel), weight = weights.col(channel);
+      const MatrixXd weighted = weight.asDiagonal() * jacobian;
       const Index first = channel * components;
-      curvature.block(first, first, components, components).noalias() = exposure * (jacobian.transpose() * weighted);
+      curvature.block(first, first, components, components).noalias() = jacobian.transpose() * weighted;
       slope.segment(first, components) = weighted.transpose() * difference;
       energy += difference.dot(weight.cwiseProduct(difference));
-      if (problem.exposureKnown) continue;
-      const VectorXd mixed = weighted.transpose() * of;
-      curvature.col(last).segment(first, components) = mixed;
-      curvature.row(last).segment(first, components) = mixed.transpose();
-      curvature(last, last) += of.dot(weight.cwiseProduct(of));
-      slope[last] += of.dot(weight.cwiseProduct(difference));
     }
   }
 };
@@ -148,9 +144,10 @@ void iterate(const Problem& problem, const LocalPrior& prior, int steps, State& 
   }
 }
 
-/// Chooses the noise, and the bandwidth among `bandwidths`, of the largest evidence about the linearisation.
-void choose(const Problem& problem, const std::vector<LocalPrior>& priors, const std::vector<std::size_t>& bandwidths,
-            State& state, const TaskControl& control) {
+/// Chooses the noise, and the bandwidth among `bandwidths`, of the largest evidence about the linearisation, which is
+/// the result.
+double choose(const Problem& problem, const std::vector<LocalPrior>& priors, const std::vector<std::size_t>& bandwidths,
+              State& state, const TaskControl& control) {
   double evidence = -unbounded;
   State best = state;
   for (const double noise : triedNoises) {
@@ -170,6 +167,7 @@ void choose(const Problem& problem, const std::vector<LocalPrior>& priors, const
   }
   state = std::move(best);
   state.at = linearised(problem.prior, problem.rows, coefficientsOf(state.x, problem.components()), control);
+  return evidence;
 }
 
 void readRegions(const std::vector<Region>& regions, MatrixX3d& values, MatrixX3d& variances) {
@@ -209,18 +207,17 @@ struct Compared {
 struct Found {
   LocalPrior prior;
   State state;
+  double evidence = 0;  ///< logarithm of the probability of the photographs, up to a constant
 };
 
 /// The most likely material, with the bandwidth and noise of the largest evidence.
 Found solve(const Problem& problem, const Compared& compared, const TaskControl& control) {
   const MatrixX3d data = rowsOf(problem.data, compared.rows);
-  const MatrixX3d distances =
-      signalDistances(compared.images, data, rowsOf(problem.noise, compared.rows), problem.exposureKnown);
-  const double start = problem.exposureKnown ? 0 : firstLogExposure(compared.images, data);
+  const MatrixX3d distances = signalDistances(compared.images, data, rowsOf(problem.noise, compared.rows), true);
   std::vector<LocalPrior> priors;
   priors.reserve(std::size(triedBandwidths));
   for (const double bandwidth : triedBandwidths)
-    priors.push_back(localPrior(problem.prior.v, distances, bandwidth, problem.exposureKnown, start));
+    priors.push_back(localPrior(problem.prior.v, distances, bandwidth, true, 0));
   State state;
   state.x = priors[state.bandwidth].mean;
   state.w = VectorXd::Zero(state.x.size());
@@ -230,23 +227,15 @@ Found solve(const Problem& problem, const Compared& compared, const TaskControl&
   choose(problem, priors, {0, 1, 2, 3, 4}, state, control);
   iterate(problem, priors[state.bandwidth], 3, state, control);
   control.report(0.8);
-  choose(problem, priors, {state.bandwidth}, state, control);
+  const double evidence = choose(problem, priors, {state.bandwidth}, state, control);
   iterate(problem, priors[state.bandwidth], 2, state, control);
   control.report(1);
-  return {std::move(priors[state.bandwidth]), std::move(state)};
+  return {std::move(priors[state.bandwidth]), std::move(state), evidence};
 }
 
 struct Posterior {
   double unexplainedSnr = 0, widening = 1;
   MatrixXd factor;  ///< F, with F F^T the covariance of x, widened
-
-  /// Of the logarithm of an unknown exposure. The error was 4.4 times the widened deviation (root of the mean square,
-  /// 14 measured files, docs/results/photographs.md): dark materials differ little in the mapped values, so that the
-  /// solution is too dark and the exposure too large.
-  double exposureDeviation() const {
-    constexpr double measured = 4.4;
-    return measured * factor.bottomRows(1).norm();
-  }
 };
 
 Posterior posteriorOf(const Problem& problem, const Found& found, std::size_t images) {
@@ -254,7 +243,7 @@ Posterior posteriorOf(const Problem& problem, const Found& found, std::size_t im
   const Solution solution =
       solved(Quadratic(problem, state.at, state.x, problem.weights(state.modelNoise)), found.prior);
   Posterior result;
-  result.unexplainedSnr = problem.unexplainedSnr(problem.data - problem.exposure(state.x) * state.at.values);
+  result.unexplainedSnr = problem.unexplainedSnr(problem.data - state.at.values);
   result.widening = widening(result.unexplainedSnr, images);
   // With N = L L^T the inverse of the covariance of w, that of x has the factor G L^-T.
   result.factor = result.widening * solution.normal.matrixU().solve<Eigen::OnTheRight>(found.prior.factor);
@@ -275,16 +264,54 @@ void judge(InputCheck& check, double noticeable) {
 
 constexpr double noticeableLogarithm = 0.1;
 
-/// Of a stated exposure, by a second solution with an unknown one. A derivative does not serve: about the first
-/// solution, a factor of the exposure looks like the highlights that a material has and the prior lacks.
-InputCheck exposureCheck(Problem problem, const Compared& compared, std::size_t images, const TaskControl& control) {
-  problem.exposureKnown = false;
-  const Found found = solve(problem, compared, control);
-  const Posterior posterior = posteriorOf(problem, found, images);
+/// An exposure that is not known: the one of the largest evidence. The most likely exposure and material together would
+/// be too dark a material, since dark materials differ little in the mapped values.
+struct ExposureSearch {
+  double logExposure = 0, deviation = 0;
+  VectorXd slope;             ///< of the most likely x by the logarithm of the exposure
+  double unexplainedSnr = 0;  ///< beside the largest evidence
+
+  /// In steps of factors of 2 up the evidence, then by a parabola. @param start logarithm of the first exposure.
+  ExposureSearch(const Problem& problem, const Compared& compared, double start, std::size_t images,
+                 const TaskControl& control) {
+    const double step = std::log(2), perLogarithm = problem.share * double(channelCount) * double(problem.rows.count());
+    constexpr int most = 20, usual = 6;
+    std::map<int, std::pair<Found, double>> tried;  // with the logarithm of the probability of the photographs
+    const auto evidence = [&](int place) {
+      const double log = start + place * step, done = std::min(1.0, double(tried.size()) / usual);
+      if (!tried.contains(place)) {
+        Found found =
+            solve(problem.dividedBy(std::exp(log)), compared, control.between(done, std::min(1.0, done + 1.0 / usual)));
+        const double value = found.evidence - perLogarithm * log;
+        tried.emplace(place, std::pair(std::move(found), value));
+      }
+      return tried.at(place).second;
+    };
+    int best = 0;
+    for (const int direction : {1, -1})
+      while (std::abs(best) < most && evidence(best + direction) > evidence(best)) best += direction;
+    const double below = evidence(best - 1), at = evidence(best), above = evidence(best + 1);
+    const double bend = std::max(2 * at - below - above, 1e-3);
+    logExposure = start + step * (best + std::clamp(0.5 * (above - below) / bend, -0.5, 0.5));
+    const auto& [found, value] = tried.at(best);
+    slope = (tried.at(best + 1).first.state.x - tried.at(best - 1).first.state.x) / (2 * step);
+    const Problem divided = problem.dividedBy(std::exp(start + best * step));
+    unexplainedSnr = divided.unexplainedSnr(divided.data - found.state.at.values);
+    // The errors were 2.7 times larger (root of the mean square, 14 measured files, docs/results/photographs.md).
+    constexpr double measured = 2.7;
+    deviation = measured * std::max(1.0, widening(unexplainedSnr, images)) * step / std::sqrt(bend);
+  }
+};
+
+/// Of a stated exposure, by a search as if it were unknown. A derivative does not serve: about the first solution, a
+/// factor of the exposure looks like the highlights that a material has and the prior lacks.
+InputCheck exposureCheck(const Problem& problem, const Compared& compared, std::size_t images,
+                         const TaskControl& control) {
+  const ExposureSearch search(problem, compared, 0, images, control);
   InputCheck check{.property = "exposure",
-                   .estimate = std::log(problem.exposure(found.state.x)),
-                   .deviation = posterior.exposureDeviation(),
-                   .unexplainedSnr = posterior.unexplainedSnr};
+                   .estimate = search.logExposure,
+                   .deviation = search.deviation,
+                   .unexplainedSnr = search.unexplainedSnr};
   judge(check, noticeableLogarithm);
   return check;
 }
@@ -298,11 +325,7 @@ class InputChecks {
               const TaskControl& control)
       : set_(set),
         rows_(rowsAt(whole.rows, chosen)),
-        problem_{whole.prior,
-                 rows_,
-                 rowsOf(whole.data, chosen),
-                 rowsOf(whole.noise, chosen),
-                 whole.exposureKnown,
+        problem_{whole.prior, rows_, rowsOf(whole.data, chosen), rowsOf(whole.noise, chosen),
                  std::min(1.0, whole.share * double(whole.rows.count()) / double(chosen.size()))},
         prior_(local),
         x_(state.x),
@@ -311,14 +334,12 @@ class InputChecks {
         solution_(solved(Quadratic(problem_, at_, state.x, weights_), local)),
         control_(control) {
     for (const std::size_t row : chosen) regions_.push_back(regions[row]);
-    predicted_ = problem_.exposure(x_) * at_.values;
+    predicted_ = at_.values;
     fromMean_ = problem_.data - predicted_;  // data less the linearised values at the mean of the prior
     const VectorXd step = x_ - prior_.mean;
     const Index components = problem_.components();
     for (Index channel = 0; channel < channelCount; ++channel)
-      fromMean_.col(channel) +=
-          problem_.exposure(x_) * (at_.jacobian[std::size_t(channel)] * step.segment(channel * components, components));
-    if (!problem_.exposureKnown) fromMean_ += predicted_ * step[step.size() - 1];
+      fromMean_.col(channel) += at_.jacobian[std::size_t(channel)] * step.segment(channel * components, components);
   }
 
   std::vector<InputCheck> all() const {
@@ -358,7 +379,7 @@ class InputChecks {
 
   MatrixX3d valuesWith(const PhotographSet& set, double rotation) const {
     const PixelRows rows = assembleRows(problem_.prior.mapping, set, regions_, rotation, {control_.stop, {}});
-    return problem_.exposure(x_) * pixelValues(problem_.prior, rows, coefficientsOf(x_, problem_.components()));
+    return pixelValues(problem_.prior, rows, coefficientsOf(x_, problem_.components()));
   }
 
   /// G^T J^T W q.
@@ -368,8 +389,7 @@ class InputChecks {
     VectorXd result = VectorXd::Zero(x_.size());
     for (Index channel = 0; channel < channelCount; ++channel)
       result.segment(channel * components, components) =
-          problem_.exposure(x_) * (at_.jacobian[std::size_t(channel)].transpose() * weighted.col(channel));
-    if (!problem_.exposureKnown) result[result.size() - 1] = predicted_.cwiseProduct(weighted).sum();
+          at_.jacobian[std::size_t(channel)].transpose() * weighted.col(channel);
     return prior_.factor.transpose() * result;
   }
 
@@ -379,9 +399,7 @@ class InputChecks {
     const VectorXd step = prior_.factor * w;
     MatrixX3d result(predicted_.rows(), channelCount);
     for (Index channel = 0; channel < channelCount; ++channel)
-      result.col(channel) =
-          problem_.exposure(x_) * (at_.jacobian[std::size_t(channel)] * step.segment(channel * components, components));
-    if (!problem_.exposureKnown) result += step[step.size() - 1] * predicted_;
+      result.col(channel) = at_.jacobian[std::size_t(channel)] * step.segment(channel * components, components);
     return result;
   }
 
@@ -458,27 +476,38 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   PhotographFit result;
   result.regions = regionsOf(set, maxRegions);
   const PixelRows rows = assembleRows(prior.mapping, set, result.regions, 0, control.between(0, 0.2));
-  Problem problem{.prior = prior, .rows = rows, .data = {}, .noise = {}, .exposureKnown = set.exposureKnown};
-  readRegions(result.regions, problem.data, problem.noise);
-  problem.share = sharedInformation(set.photographs, rows.count());
+  Problem whole{.prior = prior, .rows = rows, .data = {}, .noise = {}};
+  readRegions(result.regions, whole.data, whole.noise);
+  whole.share = sharedInformation(set.photographs, rows.count());
   constexpr std::size_t comparedRows = 200;
   Compared compared{.rows = evenlySpaced(rows.count(), comparedRows), .images = {}};
-  compared.images = signalImages(prior, rowsAt(rows, compared.rows), control.between(0.2, 0.4));
-  const Found found = solve(problem, compared, control.between(0.4, 0.7));
+  compared.images = signalImages(prior, rowsAt(rows, compared.rows), control.between(0.2, 0.3));
+  std::optional<ExposureSearch> search;
+  if (!set.exposureKnown) {
+    search.emplace(whole, compared, firstLogExposure(compared.images, rowsOf(whole.data, compared.rows)),
+                   set.photographs.size(), control.between(0.3, 0.7));
+    result.exposure = std::exp(search->logExposure);
+    result.exposureDeviation = search->deviation;
+  }
+  const Problem problem = whole.dividedBy(result.exposure);
+  const Found found =
+      solve(problem, compared, control.between(set.exposureKnown ? 0.3 : 0.7, set.exposureKnown ? 0.4 : 0.8));
   const State& state = found.state;
   const Posterior posterior = posteriorOf(problem, found, set.photographs.size());
   result.unexplainedSnr = posterior.unexplainedSnr;
   result.widening = posterior.widening;
   const Index components = prior.d.cols();
-  const MatrixXd& factor = posterior.factor;
+  MatrixXd factor = posterior.factor;
+  if (search) {
+    factor.conservativeResize(Eigen::NoChange, factor.cols() + 1);
+    factor.rightCols(1) = search->deviation * search->slope;
+  }
   const MatrixX3d coefficients = coefficientsOf(state.x, components);
   for (Index channel = 0; channel < channelCount; ++channel) {
     const auto c = std::size_t(channel);
     result.posteriorFactors[c] = factor.middleRows(channel * components, components);
     result.code.channels[c] = prior.singularValues.cwiseProduct(coefficients.col(channel)).cast<float>();
   }
-  result.exposure = problem.exposure(state.x);
-  if (!set.exposureKnown) result.exposureDeviation = posterior.exposureDeviation();
   result.bandwidth = triedBandwidths[state.bandwidth];
   result.modelNoise = state.modelNoise;
   std::vector<double> signal(set.photographs.size(), 0), error(set.photographs.size(), 0);
@@ -495,11 +524,11 @@ PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& 
   for (std::size_t i = 0; i < signal.size(); ++i) result.residualSnr.push_back(10 * std::log10(signal[i] / error[i]));
   result.warnings = set.warnings;
   result.checks = InputChecks(problem, set, result.regions, insideOf(set, result.regions, comparedRows), state,
-                              found.prior, control.between(0.7, 0.8))
+                              found.prior, control.between(set.exposureKnown ? 0.4 : 0.8, set.exposureKnown ? 0.5 : 1))
                       .all();
   if (set.exposureKnown)
     result.checks.insert(result.checks.begin(),
-                         exposureCheck(problem, compared, set.photographs.size(), control.between(0.8, 1)));
+                         exposureCheck(whole, compared, set.photographs.size(), control.between(0.5, 1)));
   if (std::string warning = warningOf(result.checks); !warning.empty())
     result.warnings.push_back(std::move(warning));
   else if (result.unexplainedSnr < leastExplained)

@@ -35,7 +35,7 @@ struct PhotographFit {
   double modelNoise = 0;  ///< relative standard deviation of a pixel value that the model does not explain
   /// 10 log10 of the energy of all regions relative to that of their differences from `predicted` beyond noise, dB.
   double unexplainedSnr = 0;
-  /// Factor of the posterior standard deviations that `posteriorFactors`, `exposureDeviation` and deviations() include,
+  /// Factor of the posterior standard deviations that `posteriorFactors` and deviations() include,
   /// widening().
   double widening = 1;
   std::vector<Region> regions;
@@ -56,7 +56,8 @@ double widening(double unexplainedSnr, std::size_t images);
 /// The most likely material given photographs, and its uncertainty: a Gaussian prior over the coefficients of the
 /// principal components, weighted toward training materials that would look like the photographs (as
 /// acquisition::localRidge()), and Gauss-Newton iterations for the mapped values, of which a pixel is not a linear
-/// function. BRDF values are never negative. About 10 s for 256 x 256 pixels under an environment on two cores.
+/// function. BRDF values are never negative. An unknown exposure is the one of the largest evidence. About 10 s for
+/// 256 x 256 pixels under an environment on two cores.
 /// @throws Error as regionsOf() and assembleRows(); Cancelled.
 PhotographFit fitPhotographs(const PhotographPrior& prior, const PhotographSet& set,
                              std::size_t maxRegions = defaultRegions, const TaskControl& control = {});
