@@ -213,7 +213,7 @@ struct Found {
 /// The most likely material, with the bandwidth and noise of the largest evidence.
 Found solve(const Problem& problem, const Compared& compared, const TaskControl& control) {
   const MatrixX3d data = rowsOf(problem.data, compared.rows);
-  const MatrixX3d distances = signalDistances(compared.images, data, rowsOf(problem.noise, compared.rows), true);
+  const MatrixX3d distances = signalDistances(compared.images, data, rowsOf(problem.noise, compared.rows));
   std::vector<LocalPrior> priors;
   priors.reserve(std::size(triedBandwidths));
   for (const double bandwidth : triedBandwidths)

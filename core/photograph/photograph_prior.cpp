@@ -127,24 +127,14 @@ std::array<MatrixXd, 3> signalImages(const PhotographPrior& prior, const PixelRo
   return images;
 }
 
-MatrixX3d signalDistances(const std::array<MatrixXd, 3>& images, const MatrixX3d& values, const MatrixX3d& variances,
-                          bool exposureKnown) {
+MatrixX3d signalDistances(const std::array<MatrixXd, 3>& images, const MatrixX3d& values, const MatrixX3d& variances) {
   MatrixX3d distances = MatrixX3d::Zero(images[0].cols(), priorChannels);
   for (Index channel = 0; channel < priorChannels; ++channel) {
     const MatrixXd& image = images[std::size_t(channel)];
     double count = 0;
-    VectorXd shift = VectorXd::Zero(image.cols());
-    std::vector<Index> used;
-    for (Index row = 0; row < image.rows(); ++row)
-      if (values(row, channel) > 0) used.push_back(row);
-    if (used.empty()) continue;
-    if (!exposureKnown) {
-      for (const Index row : used)
-        shift += (image.row(row).transpose().array() - std::log(values(row, channel))).matrix();
-      shift /= double(used.size());
-    }
-    for (const Index row : used) {
-      const VectorXd of = image.row(row).transpose() - shift;
+    for (Index row = 0; row < image.rows(); ++row) {
+      if (!(values(row, channel) > 0)) continue;
+      const VectorXd of = image.row(row).transpose();
       const double known = variances(row, channel) / (values(row, channel) * values(row, channel));
       const double variance = (of.array() - of.mean()).square().mean() + known;
       if (!(variance > 0)) continue;

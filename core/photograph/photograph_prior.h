@@ -47,7 +47,7 @@ std::array<Eigen::MatrixXd, 3> signalImages(const PhotographPrior& prior, const 
 /// Distances of the training signals from the photographs, per channel, as in acquisition/local_ridge.h but of the
 /// logarithms of pixel values: signals x channels.
 Eigen::MatrixX3d signalDistances(const std::array<Eigen::MatrixXd, 3>& images, const Eigen::MatrixX3d& values,
-                                 const Eigen::MatrixX3d& variances, bool exposureKnown);
+                                 const Eigen::MatrixX3d& variances);
 
 /// All unknowns x: the coefficients of red, green and blue, then the logarithm of the exposure if it is unknown.
 /// Before the photographs are seen, x is mean + G w, with independent standard normal w.
