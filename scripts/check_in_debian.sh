@@ -125,7 +125,7 @@ step_package() {
     >"$results/metainfo.log" || { cat "$results/metainfo.log" >&2; return 1; }
   inside 'man -w gonio goniotool && cd / && goniotool --version && python3 -c "import gonio; print(gonio.__version__)"' || return 1
   # gtk-launch starts the program and ends.
-  shown package 'gtk-launch gonio.desktop && while pidof gonio >/dev/null; do sleep 1; done' || return 1
+  shown package "bash -c 'gtk-launch gonio.desktop && sleep 1 && while pidof gonio >/dev/null; do sleep 1; done'" || return 1
   inside 'kill $(pidof gonio) 2>/dev/null; DEBIAN_FRONTEND=noninteractive apt-get purge -y -qq gonio >/dev/null' || return 1
   inside 'find / -xdev -path /src -prune -o -path /var -prune -o -path /root -prune -o -path /tmp -prune -o -print | sort' >"$results/after.txt"
   ! grep -i gonio "$results/after.txt"
