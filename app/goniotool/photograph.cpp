@@ -137,8 +137,9 @@ int fitPhotograph(const PhotographFitArguments& options, const Tool& tool) {
   }
   if (description.set.exposure != Rgb(1)) text += "exposure by grey patch: " + rgbText(description.set.exposure) + "\n";
   if (!description.set.exposureKnown)
-    text += "exposure: factor " + number(found.exposure) + ", standard deviation " +
-            number(100 * found.exposureDeviation) + " %\n";
+    text += "exposure: factor " + number(found.exposure) + ", " +
+            number(found.exposure * std::exp(-found.exposureDeviation)) + " to " +
+            number(found.exposure * std::exp(found.exposureDeviation)) + " within one standard deviation\n";
   text += "median uncertainty of a mapped value " + number(median) + "\n";
   for (const std::string& warning : found.warnings) text += "warning: " + warning + "\n";
   print(tool, json, text + written.text);

@@ -83,13 +83,21 @@ QPixmap stripPicture(const PhotographItem& item, const QImage& residual, double 
   return picture;
 }
 
+/// A factor, and its range of one standard deviation of its logarithm: "factor 0.84 (0.31 to 2.3)".
+QString factorText(double logarithm, double deviation) {
+  const auto number = [&](double value) { return widgets::formatNumber(std::exp(value)); };
+  return PhotographViews::tr("factor %1 (%2 to %3)")
+      .arg(number(logarithm), number(logarithm - deviation), number(logarithm + deviation));
+}
+
 /// "outline x −1.2 ± 0.4 px"
 QString checkText(const photograph::InputCheck& check) {
   using Views = PhotographViews;
   const std::string& property = check.property;
   double estimate = check.estimate, deviation = check.deviation;
   QString name = QString::fromStdString(property), unit = Views::tr(" px");
-  if (property == "exposure" || property == "gamma") {  // of a logarithm
+  if (property == "exposure") return Views::tr("exposure: %1").arg(factorText(estimate, deviation));
+  if (property == "gamma") {  // of a logarithm
     deviation *= 100 * std::exp(estimate);
     estimate = 100 * std::expm1(estimate);
     unit = Views::tr(" %");
@@ -110,9 +118,10 @@ QString checkText(const photograph::InputCheck& check) {
 QStringList photographWarnings(const PhotographResultPtr& result) {
   QStringList texts;
   if (!result) return texts;
-  // No material under the stated light looks like such a photograph.
+  // Of several, which one no material under the stated light looks like.
   constexpr double poorSnr = 10;  // dB
-  for (std::size_t i = 0; i < result->fit.residualSnr.size(); ++i)
+  const std::size_t count = result->fit.residualSnr.size();
+  for (std::size_t i = 0; i < count && count > 1; ++i)
     if (const double snr = result->fit.residualSnr[i]; snr < poorSnr)
       texts << (result->showsSphere[i]
                     ? PhotographViews::tr("The reconstruction explains %1 poorly: check its outline, camera and light.")
@@ -311,9 +320,7 @@ QString PhotographViews::checksText() const {
   if (!result) return {};
   QStringList texts;
   if (!m_session.inputs().isExposureKnown() || result->fit.exposureDeviation > 0)
-    texts << tr("Exposure: factor %1 ± %2 %")
-                 .arg(widgets::formatNumber(result->fit.exposure))
-                 .arg(100 * result->fit.exposureDeviation, 0, 'f', 0);
+    texts << tr("Exposure: %1").arg(factorText(std::log(result->fit.exposure), result->fit.exposureDeviation));
   QStringList checks;
   for (const photograph::InputCheck& check : result->fit.checks)
     if (check.deviation > 0) checks << checkText(check);
