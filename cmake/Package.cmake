@@ -52,6 +52,7 @@ if(GONIO_PYTHON_VERSION)
   string(REGEX MATCH "[0-9]+$" minor ${GONIO_PYTHON_VERSION})
   math(EXPR next "${minor} + 1")
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3 (>= ${GONIO_PYTHON_VERSION}), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${package}/postinst ${package}/prerm)
 endif()
 # The widths of Helvetica, the font of figures; Qt's plugin for Wayland.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core, fonts-liberation, qt6-wayland")
