@@ -134,7 +134,7 @@ step_package() {
 step_pip() {
   inside 'cat scripts/packages-debian.txt' >/dev/null
   inside '. scripts/setup.sh && install_packages' >/dev/null
-  install_quietly python3-venv python3-pip
+  install_quietly python3-venv python3-pip python3-setuptools python3-wheel
   inside 'rm -rf /tmp/venv && python3 -m venv --system-site-packages /tmp/venv && /tmp/venv/bin/pip install --no-build-isolation --no-deps . &&
     cd /tmp && /tmp/venv/bin/python -m gonio --version && /tmp/venv/bin/python -c "import gonio; print(gonio.__file__, gonio.__version__)"' \
     >"$results/pip.log" 2>&1 || { tail -n 40 "$results/pip.log" >&2; return 1; }

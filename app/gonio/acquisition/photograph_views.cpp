@@ -85,7 +85,7 @@ QPixmap stripPicture(const PhotographItem& item, const QImage& residual, double 
 
 /// A factor, and its range of one standard deviation of its logarithm: "factor 0.84 (0.31 to 2.3)".
 QString factorText(double logarithm, double deviation) {
-  const auto number = [&](double value) { return widgets::formatNumber(std::exp(value)); };
+  const auto number = [](double value) { return QString::number(std::exp(value), 'g', 3); };
   return PhotographViews::tr("factor %1 (%2 to %3)")
       .arg(number(logarithm), number(logarithm - deviation), number(logarithm + deviation));
 }
