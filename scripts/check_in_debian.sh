@@ -132,7 +132,6 @@ step_package() {
 }
 
 step_pip() {
-  inside 'cat scripts/packages-debian.txt' >/dev/null
   inside '. scripts/setup.sh && install_packages' >/dev/null
   install_quietly python3-venv python3-pip python3-setuptools python3-wheel
   inside 'rm -rf /tmp/venv && python3 -m venv --system-site-packages /tmp/venv && /tmp/venv/bin/pip install --no-build-isolation --no-deps . &&

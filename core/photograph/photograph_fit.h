@@ -19,7 +19,7 @@ struct InputCheck {
   /// "exposure", "gamma", "rotation", and of spheres "outline x", "outline y" or "outline radius".
   std::string property;
   double estimate = 0;   ///< difference from the stated value: of a logarithm (exposure, gamma), in pixels, or in rad
-  double deviation = 0;  ///< posterior standard deviation of the estimate, at least that (widening())
+  double deviation = 0;  ///< standard deviation of the estimate: that of the posterior, or widening() times it
   double evidence = 0;   ///< half the squared ratio of estimate and deviation: the gain of log likelihood
   double unexplainedSnr = 0;  ///< PhotographFit::unexplainedSnr with the estimated difference, dB
   bool isSuspicious = false;  ///< whether the estimate is significant, large enough to matter, and explains the pixels
@@ -46,12 +46,6 @@ struct PhotographFit {
   std::vector<InputCheck> checks;
   std::vector<std::string> warnings;  ///< one sentence each, for people
 };
-
-/// How many times larger than the posterior standard deviations the errors of mapped values are, in the median over
-/// training materials that were left out of the prior, for PhotographFit::unexplainedSnr. A material that the
-/// components cannot represent in the pixels differs from them in other directions, too. More images reduce the
-/// posterior deviations more than the errors, as what the components cannot represent is alike in all.
-double widening(double unexplainedSnr, std::size_t images);
 
 /// The most likely material given photographs, and its uncertainty: a Gaussian prior over the coefficients of the
 /// principal components, weighted toward training materials that would look like the photographs (as

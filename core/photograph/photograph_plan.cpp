@@ -109,8 +109,7 @@ PhotographPlan planPhotographs(const PhotographPrior& prior, const PhotographSet
   PhotographSet all = set;
   all.photographs.insert(all.photographs.end(), candidates.begin(), candidates.end());
   const MatrixX3d noDistances = MatrixX3d::Zero(prior.v.rows(), 3);
-  const LocalPrior local =
-      localPrior(prior.v, noDistances, std::numeric_limits<double>::infinity(), set.exposureKnown, 0);
+  const LocalPrior local = localPrior(prior.v, noDistances, std::numeric_limits<double>::infinity(), set.exposureKnown);
   const Observations observations(prior, all, local, plan.materials, options, control);
   const MatrixXd perCell = variancePerCell(prior, local.factor);
   const std::size_t materials = plan.materials.size(), taken = set.photographs.size();

@@ -16,8 +16,6 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixX3d, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index priorChannels = 3;
-
 /// The step between the nodes of one axis, of which about `wanted` remain; a divisor of the count.
 int stepOf(int count, int wanted) {
   int step = std::max(1, count / wanted);
@@ -128,8 +126,8 @@ std::array<MatrixXd, 3> signalImages(const PhotographPrior& prior, const PixelRo
 }
 
 MatrixX3d signalDistances(const std::array<MatrixXd, 3>& images, const MatrixX3d& values, const MatrixX3d& variances) {
-  MatrixX3d distances = MatrixX3d::Zero(images[0].cols(), priorChannels);
-  for (Index channel = 0; channel < priorChannels; ++channel) {
+  MatrixX3d distances = MatrixX3d::Zero(images[0].cols(), channelCount);
+  for (Index channel = 0; channel < channelCount; ++channel) {
     const MatrixXd& image = images[std::size_t(channel)];
     double count = 0;
     for (Index row = 0; row < image.rows(); ++row) {
@@ -146,21 +144,20 @@ MatrixX3d signalDistances(const std::array<MatrixXd, 3>& images, const MatrixX3d
   return distances;
 }
 
-LocalPrior localPrior(const MatrixXd& v, const MatrixX3d& distances, double bandwidth, bool exposureKnown,
-                      double start) {
+LocalPrior localPrior(const MatrixXd& v, const MatrixX3d& distances, double bandwidth, bool exposureKnown) {
   constexpr double leastSum = 2;  // of the weights of all training materials; the most similar one has 1
-  const Index materials = v.rows() / priorChannels, components = v.cols(), count = 6 * materials;
-  const Index coefficients = priorChannels * components, unknowns = coefficients + (exposureKnown ? 0 : 1);
+  const Index materials = v.rows() / channelCount, components = v.cols(), count = 6 * materials;
+  const Index coefficients = channelCount * components, unknowns = coefficients + (exposureKnown ? 0 : 1);
   MatrixXd samples(count, coefficients);
   VectorXd of(count);
   for (Index m = 0; m < materials; ++m)
     for (Index order = 0; order < 6; ++order) {
       const Index row = 6 * m + order;
       of[row] = 0;
-      for (Index channel = 0; channel < priorChannels; ++channel) {
-        const Index signal = priorChannels * m + channelOrders[order][channel];
+      for (Index channel = 0; channel < channelCount; ++channel) {
+        const Index signal = channelCount * m + channelOrders[order][channel];
         samples.row(row).segment(channel * components, components) = v.row(signal);
-        of[row] += distances(signal, channel) / double(priorChannels);
+        of[row] += distances(signal, channel) / double(channelCount);
       }
     }
   VectorXd weights = VectorXd::Ones(count);
@@ -175,10 +172,7 @@ LocalPrior localPrior(const MatrixXd& v, const MatrixX3d& distances, double band
   prior.factor = MatrixXd::Zero(unknowns, unknowns);
   prior.factor.topLeftCorner(coefficients, coefficients) =
       basis.vectors * basis.values.cwiseMax(0).cwiseSqrt().asDiagonal();
-  if (!exposureKnown) {
-    prior.mean[coefficients] = start;
-    prior.factor(coefficients, coefficients) = exposureSpread;
-  }
+  if (!exposureKnown) prior.factor(coefficients, coefficients) = exposureSpread;
   return prior;
 }
 

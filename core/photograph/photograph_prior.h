@@ -12,6 +12,9 @@ namespace gonio::photograph {
 
 using RowMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Red, green and blue.
+inline constexpr Eigen::Index channelCount = 3;
+
 /// What photographs are reconstructed from: principal components at the nodes of a grid on which pixels are integrated.
 struct PhotographPrior {
   dictionary::MappedCells mapping;
@@ -20,10 +23,10 @@ struct PhotographPrior {
   Eigen::VectorXd singularValues;
   Eigen::MatrixXd v;  ///< coefficients of the training signals: signals x components
 
-  std::size_t trainingCount() const { return std::size_t(v.rows()) / 3; }
+  std::size_t trainingCount() const { return std::size_t(v.rows() / channelCount); }
   /// Components x channels.
   Eigen::MatrixX3d trainingCoefficients(std::size_t material) const {
-    return v.middleRows(3 * Eigen::Index(material), 3).transpose();
+    return v.middleRows(channelCount * Eigen::Index(material), channelCount).transpose();
   }
 };
 
@@ -57,8 +60,8 @@ struct LocalPrior {
 };
 
 /// Mean and covariance over the training materials, in each order of their channels, weighted toward those that look
-/// like the photographs. @param distances signals x channels. @param start mean of the logarithm of the exposure.
-LocalPrior localPrior(const Eigen::MatrixXd& v, const Eigen::MatrixX3d& distances, double bandwidth, bool exposureKnown,
-                      double start);
+/// like the photographs. @param distances signals x channels.
+LocalPrior localPrior(const Eigen::MatrixXd& v, const Eigen::MatrixX3d& distances, double bandwidth,
+                      bool exposureKnown);
 
 }  // namespace gonio::photograph

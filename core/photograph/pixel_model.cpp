@@ -11,17 +11,13 @@ namespace gonio::photograph {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixX3d;
 
-namespace {
-constexpr Index pixelChannels = 3;
-}
-
 PixelLinearisation linearised(const PhotographPrior& prior, const PixelRows& rows, const MatrixX3d& coefficients,
                               const TaskControl& control) {
   std::vector<glm::vec3> slopes;
   const std::vector<glm::vec3> values = cellValues(prior, coefficients, &slopes);
   const Index count = Index(rows.count()), components = prior.d.cols();
   PixelLinearisation result;
-  result.values.resize(count, pixelChannels);
+  result.values.resize(count, channelCount);
   for (MatrixXd& of : result.jacobian) of.resize(count, components);
   parallelForBlocks(rows.count(), 16,
                     [&](std::size_t begin, std::size_t end) {
@@ -38,7 +34,7 @@ PixelLinearisation linearised(const PhotographPrior& prior, const PixelRows& row
                           sums[1] += factor.y * d;
                           sums[2] += factor.z * d;
                         }
-                        for (Index channel = 0; channel < pixelChannels; ++channel) {
+                        for (Index channel = 0; channel < channelCount; ++channel) {
                           result.values(Index(row), channel) = value[int(channel)];
                           result.jacobian[std::size_t(channel)].row(Index(row)) =
                               sums[std::size_t(channel)].cast<double>();
@@ -51,7 +47,7 @@ PixelLinearisation linearised(const PhotographPrior& prior, const PixelRows& row
 
 MatrixX3d pixelValues(const PhotographPrior& prior, const PixelRows& rows, const MatrixX3d& coefficients) {
   const std::vector<Rgb> values = rows.values(cellValues(prior, coefficients));
-  MatrixX3d result(Index(values.size()), pixelChannels);
+  MatrixX3d result(Index(values.size()), channelCount);
   for (std::size_t row = 0; row < values.size(); ++row)
     for (int channel = 0; channel < 3; ++channel) result(Index(row), channel) = values[row][channel];
   return result;
@@ -74,7 +70,7 @@ double sharedInformation(std::span<const Photograph> photographs, std::size_t ro
 MatrixX3d pixelWeights(const MatrixX3d& values, const MatrixX3d& noise, double modelNoise, double share) {
   constexpr double ofMean = 0.05;  // dark pixels are not more accurate than this part of the mean
   MatrixX3d variances = noise;
-  for (Index channel = 0; channel < pixelChannels; ++channel) {
+  for (Index channel = 0; channel < channelCount; ++channel) {
     const double base = ofMean * values.col(channel).cwiseAbs().mean();
     variances.col(channel).array() +=
         (modelNoise * (values.col(channel).array().abs() + base)).square() + std::numeric_limits<double>::min();

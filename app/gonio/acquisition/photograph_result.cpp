@@ -140,7 +140,6 @@ PhotographResultPtr reconstructPhotographs(const PhotographTraining& training, c
   for (std::size_t i = 0; i < count; ++i) {
     const photograph::Photograph& photograph = set.photographs[i];
     result->paths << inputs[i].path();
-    result->showsSphere.push_back(inputs[i].hasOutline());
     result->residuals.push_back(residualMap(result->fit, residuals, i, inputs[i], result->residualRange));
     result->spheres.push_back(
         sphereOf(*result->table, photograph, result->fit.exposure * inputs[i].brightness, picture,

@@ -29,7 +29,6 @@ struct PhotographResult {
   photograph::PhotographFit fit;
   std::shared_ptr<const TabulatedBrdf> table;
   QStringList paths;              ///< of the photographs
-  std::vector<bool> showsSphere;  ///< or another shape: of each photograph
   std::vector<QImage> residuals;  ///< one per photograph, for widgets::ResidualView
   double residualRange = 0;       ///< relative difference in the last colours of all of them
   /// Of the reconstruction in the light of each photograph, as bright as its image; of other shapes as in the

@@ -118,15 +118,6 @@ QString checkText(const photograph::InputCheck& check) {
 QStringList photographWarnings(const PhotographResultPtr& result) {
   QStringList texts;
   if (!result) return texts;
-  // Of several, which one no material under the stated light looks like.
-  constexpr double poorSnr = 10;  // dB
-  const std::size_t count = result->fit.residualSnr.size();
-  for (std::size_t i = 0; i < count && count > 1; ++i)
-    if (const double snr = result->fit.residualSnr[i]; snr < poorSnr)
-      texts << (result->showsSphere[i]
-                    ? PhotographViews::tr("The reconstruction explains %1 poorly: check its outline, camera and light.")
-                    : PhotographViews::tr("The reconstruction explains %1 poorly: check its shape, camera and light."))
-                   .arg(result->paths[qsizetype(i)].section('/', -1));
   for (const std::string& warning : result->fit.warnings) {
     QString text = QString::fromStdString(warning);
     if (text.startsWith(QLatin1String("the "))) text[0] = text[0].toUpper();

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/metrics/image_metrics.h"
+#include "core/photograph/photograph_solution.h"
 #include "core/rendering/render_picture.h"
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"
