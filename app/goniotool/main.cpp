@@ -85,6 +85,7 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   system::reportTooLargeFiles();
+  system::keepFreedMemory();
   try {
     tool::Tool tool;
     const int code = parseAndWork(tool, argc, argv);

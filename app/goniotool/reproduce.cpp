@@ -218,8 +218,8 @@ void addReproduce(CLI::App& app, Tool& tool) {
       ->delimiter(',');
   command->add_flag("--quick", options->inputs.quick,
                     "Four materials where a figure uses whole sets, small pictures, few samples: about " +
-                        std::to_string(std::lround(totalMinutes(true))) + " minutes on two cores instead of " +
-                        std::to_string(std::lround(totalMinutes(false) / 60)) + " hours");
+                        minutesText(totalMinutes(true)) + " on two cores instead of " +
+                        minutesText(totalMinutes(false)));
   command->add_flag(
       "--again", options->again,
       "Also make the figures that are in the folder and were made from the same materials by this version");

@@ -135,13 +135,8 @@ std::vector<double> ChannelProblem::model(const LinearVector& p) const {
 
 ChannelSolution solveLinearParameters(const ChannelProblem& problem, const LinearVector& guess) {
   ChannelSolution best, trial;
-  best.parameters = startParameters(problem);
+  best.parameters = guess.size() == Eigen::Index(problem.bases.size()) ? guess : startParameters(problem);
   evaluate(problem, best);
-  if (guess.size() == best.parameters.size()) {
-    trial.parameters = guess;
-    evaluate(problem, trial);
-    if (trial.cost < best.cost) std::swap(best, trial);
-  }
   for (int step = 0; step < maxSteps && best.parameters.size() > 0; ++step) {
     const LinearVector from = best.parameters, to = gaussNewtonTarget(problem, best);
     if (((to - from).array().abs() <= stepTolerance * to.array().abs()).all()) break;

@@ -115,20 +115,39 @@ inline double metricWeight(MetricWeight weight, double cosI, double cosO) {
   }
 }
 
+// Roots and logarithms are of single precision, of arguments that have not lost the difference of close values: the
+// relative error of each d and |d|^p is below 1e-6.
+
+/// a^(1/3) - b^(1/3), a and b >= 0 with the difference a - b.
+[[gnu::always_inline]] inline double differenceOfCbrt(double difference, double a, double b) {
+  constexpr float tiny = 1e-37f;  // two zeros
+  const float rootA = fastCbrt(float(a)), rootB = fastCbrt(float(b));
+  const float quotient = rootA * rootA + rootA * rootB + rootB * rootB;
+  return double(float(difference) / (quotient > tiny ? quotient : tiny));
+}
+
 /// Calls `visitor` with the function (r, t) -> d of a domain that treats channels separately; r, t >= 0.
 template <typename Visitor>
 void visitDifference(MetricDomain domain, double gamma, Visitor&& visitor) {
+  // ln((r + e) / (t + e)) without cancellation for close values.
+  const auto ofLogarithms = [](double r, double t, double e) {
+    const double smaller = r < t ? r : t;
+    return std::copysign(double(fastLog1p(float(std::abs(r - t)) / float(smaller + e))), r - t);
+  };
   switch (domain) {
     case MetricDomain::log:
-      // ln((1 + r) / (1 + t)) without cancellation for small values.
-      return visitor([](double r, double t) { return fastLog1p((r - t) / (1 + t)); });
+      return visitor([ofLogarithms](double r, double t) { return ofLogarithms(r, t, 1); });
     case MetricDomain::cubeRoot:
-      return visitor([](double r, double t) { return fastCbrt(r) - fastCbrt(t); });
+      return visitor([](double r, double t) { return differenceOfCbrt(r - t, r, t); });
     case MetricDomain::gamma:
-      if (gamma == 2) return visitor([](double r, double t) { return std::sqrt(r) - std::sqrt(t); });
+      if (gamma == 2)
+        return visitor([](double r, double t) {
+          const float sum = std::sqrt(float(r)) + std::sqrt(float(t));
+          return double(float(r - t) / (sum > 1e-37f ? sum : 1e-37f));
+        });
       return visitor([gamma](double r, double t) { return gammaTransformed(r, gamma) - gammaTransformed(t, gamma); });
     case MetricDomain::logRelative:
-      return visitor([](double r, double t) { return fastLog1p((r - t) / (t + logRelativeOffset)); });
+      return visitor([ofLogarithms](double r, double t) { return ofLogarithms(r, t, logRelativeOffset); });
     default:
       return visitor([](double r, double t) { return r - t; });
   }
@@ -143,7 +162,10 @@ void visitPower(MetricPower power, Visitor&& visitor) {
     case MetricPower::absolute:
       return visitor([](double d) { return std::abs(d); });
     default:
-      return visitor([](double d) { return fastCbrt(d * d); });
+      return visitor([](double d) {
+        const double root = double(fastCbrt(float(d)));
+        return root * root;
+      });
   }
 }
 

@@ -266,14 +266,14 @@ class BlockSums {
   }
 
   void accumulate(const MetricRecord& record, double& deviation, double& weightSum) {
-    visitPower(record.power, [&](const auto& power) {
-      const double* d = differences_.data();
-      double* p = powers_.data();
-      for (Eigen::Index i = 0; i < differences_.size(); ++i) p[i] = power(d[i]);
-    });
     const OfPairs& weight = weights(record.weight);
     weightSum += (record.domain == MetricDomain::lab ? 1 : 3) * weight.sum;
-    deviation += (weight.columns * powers_).sum();
+    visitPower(record.power, [&](const auto& power) {
+      const double *d = differences_.data(), *w = weight.columns.data();
+      double* p = powers_.data();
+      for (Eigen::Index i = 0; i < differences_.size(); ++i) p[i] = w[i] * power(d[i]);
+    });
+    deviation += powers_.sum();
   }
 
   Compared cells_;

@@ -284,7 +284,7 @@ std::vector<FigureRecord> dictionaryFigures() {
        .source = "figure 4.7: no numbers printed; the SNR rises with the number of coefficients in all three sets",
        .differences = bundledDictionaries,
        .wholeSets = {MaterialSet::merl, MaterialSet::rgl, MaterialSet::dtu},
-       .fullMinutes = 45,
+       .fullMinutes = 10,
        .quickMinutes = 1,
        .make = makeCoefficients},
       {.id = "4.9",

@@ -16,6 +16,10 @@
 #include <cstdlib>
 #include <fstream>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace gonio::system {
 
 namespace {
@@ -102,6 +106,14 @@ fs::perms permissionsOfNewFiles() {
 }
 
 void reportTooLargeFiles() { std::signal(SIGXFSZ, SIG_IGN); }
+
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int most = 256 << 20;
+  mallopt(M_TRIM_THRESHOLD, most);
+  mallopt(M_MMAP_THRESHOLD, most);
+#endif
+}
 
 void lowerThreadPriority() {
 #ifdef __linux__

@@ -13,8 +13,8 @@
 #include <thread>
 
 /// What Gonio asks of the operating system and the standard library of C++ does not have: files by offset, the priority
-/// of a thread, terminals, the processor, folders of the user, signals. system.cpp alone knows POSIX (the test `layers`
-/// checks it), so a port to another system writes this file anew.
+/// of a thread, memory, terminals, the processor, folders of the user, signals. system.cpp alone knows POSIX (the test
+/// `layers` checks it), so a port to another system writes this file anew.
 namespace gonio::system {
 
 /// An open file, closed with the object. Functions return the system's error, or one that is false.
@@ -59,6 +59,10 @@ std::filesystem::perms permissionsOfNewFiles();
 
 /// Writing beyond the limit of the size of files (`ulimit -f`) becomes an error of writing, not the end of the program.
 void reportTooLargeFiles();
+
+/// Freed memory below 256 MB stays with the process for its next allocations, since the system clears each page that it
+/// gives out. For programs that end when their work is done. No effect where the allocator has no such settings.
+void keepFreedMemory();
 
 /// The calling thread gets about a quarter of the time of a normal thread where others want to run: with idle priority
 /// it would never run on a busy machine. No effect where the system has no priorities of threads.
