@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // How long the GUI thread is away from its events while the preview is used: for each thing that a user does, the
-// longest event (of all that Qt delivers until the picture has converged), and how long the first new frame took.
+// longest event (of all that Qt delivers until the picture has converged), and how long the first new frame took. Then,
+// while a slider is dragged, the time from each step to the picture with it.
 //   gonio_frame_times [width height]
 #include <QApplication>
 #include <QElapsedTimer>
@@ -12,6 +13,7 @@
 #include <ctime>
 #include <functional>
 
+#include "core/materials/material.h"
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/preview/preview_input.h"
@@ -85,6 +87,27 @@ class Session {
                 "receiver and type of the event (times in ms)");
   }
 
+  /// An edit of three lobes in the studio.
+  void runSliders() {
+    std::printf("\n%-36s %14s %14s   (steps every 16 ms or when the last is shown)\n", "slider to new picture, ms",
+                "median", "longest");
+    preview_.content().showScene(sphereScene(studioEnvironment()));
+    const models::Model& model = models::findModel("layered");
+    editing::DifferentialEdit edit = editing::unchangedEdit(model, models::defaultParameters(model.spec()));
+    const auto rgl = materials::readMaterial("library:rgl/satin_purple").brdf;
+    for (const auto& [base, name] : {std::pair{rgl, "RGL file, studio, three lobes"},
+                                     {std::shared_ptr<const Brdf>(bakeTable(*rgl)), "table, studio, three lobes"}}) {
+      const auto density = std::make_shared<const TabulatedDensity>(*base);
+      measureSteps(name, [&](int step) {
+        edit.edited = edit.fitted;
+        for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
+          if (model.spec().parameters[i].id.find("roughness") != std::string_view::npos)
+            edit.edited.values[i] *= 1 + 0.01 * (step + 1);
+        preview_.content().setSubject({widgets::EditedMaterial{base, {{edit}}}, density});
+      });
+    }
+  }
+
   void run() {
     const PreviewSubject ggx = modelAlone("ggx", 0.3);
     const auto table = bakeTable(*widgets::subjectBrdf(ggx));
@@ -144,6 +167,32 @@ class Session {
     std::fflush(stdout);
   }
 
+  /// Waiting without sleep would take a core from the rendering.
+  static void rest() {
+    QCoreApplication::processEvents();
+    QThread::usleep(300);
+  }
+
+  void measureSteps(const char* what, const std::function<void(int step)>& act) {
+    constexpr int first = 5, steps = 40, stepMs = 16, longestWaitMs = 20000;  // the first ones compile the shader
+    std::vector<double> times;
+    for (int step = 0; step < steps; ++step) {
+      QElapsedTimer timer;
+      timer.start();
+      act(step);
+      process(0);
+      const int wanted = preview_.lastRequest();
+      while (preview_.shownRequest() < wanted && timer.elapsed() < longestWaitMs) rest();
+      if (step >= first) times.push_back(double(timer.nsecsElapsed()) * 1e-6);
+      while (timer.elapsed() < stepMs) rest();
+      if (step + 1 == first)
+        while (timer.elapsed() < 4000) rest();
+    }
+    std::ranges::sort(times);
+    std::printf("%-36s %14.1f %14.1f\n", what, times[times.size() / 2], times.back());
+    std::fflush(stdout);
+  }
+
   TimedApplication& application_;
   PreviewWidget preview_;
   QElapsedTimer clock_;
@@ -155,5 +204,7 @@ class Session {
 int main(int argc, char** argv) {
   TimedApplication application(argc, argv);
   const QSize size = argc > 2 ? QSize(std::atoi(argv[1]), std::atoi(argv[2])) : QSize(900, 700);
-  Session(application, size).run();
+  Session session(application, size);
+  session.run();
+  session.runSliders();
 }

@@ -19,7 +19,8 @@ class FrameBudgetTest : public QObject {
     QCOMPARE(first.scale, 0.5);
     QVERIFY(first.samples >= 1);
     QCOMPARE(budget.next(4e7, 0, 1024, false).scale, 0.25);  // 15 ns per sample at first: 0.15 s at half
-    QCOMPARE(budget.next(1e6, 0, 1024, true).scale, 1.0);
+    // Also where the change is not recent, because another frame was in the way.
+    QCOMPARE(budget.next(1e6, 0, 1024, true).scale, 0.5);
     QCOMPARE(budget.next(1e6, 8, 1024, false).scale, 1.0);
   }
 
@@ -38,6 +39,16 @@ class FrameBudgetTest : public QObject {
       for (int i = 0; i < 30; ++i) budget.record(5e5, 4, nsPerSample * 4 * 5e5 * 1e-6);
       const auto frame = budget.next(5e5, 100, 1024, true);
       QVERIFY(frame.samples == 1 || frame.samples * nsPerSample * 5e5 * 1e-6 <= FrameBudget::restingMs * 1.001);
+    }
+  }
+
+  /// A step of a slider is visible within a frame of a display of 60 Hz.
+  void theFirstFrameIsShort() {
+    for (const double nsPerSample : {0.1, 1.0, 10.0}) {
+      FrameBudget budget;
+      for (int i = 0; i < 30; ++i) budget.record(2e6, 1, nsPerSample * 2e6 * 1e-6);
+      const auto frame = budget.next(2e6, 0, 1024, true);
+      QVERIFY(frame.samples * nsPerSample * 2e6 * frame.scale * frame.scale * 1e-6 <= 1000.0 / 60);
     }
   }
 

@@ -10,12 +10,12 @@
 namespace gonio::widgets {
 
 FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted, bool resting) const {
-  const double budget = (resting ? restingMs : interactiveMs) * 1e6;
+  const double budget = (resting && accumulated > 0 ? restingMs : interactiveMs) * 1e6;
   const auto affordable = [&](double atPixels) {
     return std::clamp(static_cast<int>(budget / std::max(1.0, nsPerSample_ * atPixels)), 1, maxSamplesPerFrame);
   };
   const int full = affordable(pixels);
-  if (accumulated == 0 && !resting && full < minFirstSamples) {
+  if (accumulated == 0 && full < minFirstSamples) {
     const double scale = nsPerSample_ * pixels / 4 > maxFirstFrameMs * 1e6 ? 0.25 : 0.5;
     return {affordable(pixels * scale * scale), scale};
   }

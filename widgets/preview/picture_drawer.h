@@ -21,13 +21,13 @@ namespace gonio::widgets {
 /// interaction stays fluid and a picture at rest converges quickly. Plain arithmetic, no OpenGL.
 class FrameBudget {
  public:
-  static constexpr double interactiveMs = 30;
+  static constexpr double interactiveMs = 8;  ///< also of the first frame after a change: half a frame of a display
   static constexpr double restingMs = 80;
   static constexpr int maxSamplesPerFrame = 64;
   /// If the time allows fewer samples than this, the first frame has half the resolution; if one sample at half
   /// resolution takes longer than maxFirstFrameMs, a quarter.
   static constexpr int minFirstSamples = 6;
-  static constexpr double maxFirstFrameMs = 100;
+  static constexpr double maxFirstFrameMs = 30;
 
   struct Frame {
     int samples;
