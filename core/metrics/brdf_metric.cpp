@@ -21,7 +21,9 @@ double labRoot(double t) { return t > labEdgeCube ? std::cbrt(t) : t * labSlope 
 [[gnu::always_inline]] inline double labRootDifference(double a, double b) {
   const double lineA = a < labEdgeCube ? a : labEdgeCube, lineB = b < labEdgeCube ? b : labEdgeCube;
   const double aboveA = a > labEdgeCube ? a : labEdgeCube, aboveB = b > labEdgeCube ? b : labEdgeCube;
-  return labSlope * (lineA - lineB) + differenceOfCbrt(aboveA - aboveB, aboveA, aboveB);
+  constexpr double scale = 0x1p-12;  // XYZ of the largest BRDF values are beyond the range of single precision
+  return labSlope * (lineA - lineB) +
+         0x1p4 * differenceOfCbrt((aboveA - aboveB) * scale, aboveA * scale, aboveB * scale);
 }
 
 /// XYZ of reflectances, each over that of the perfect diffuser.

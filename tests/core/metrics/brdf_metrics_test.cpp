@@ -136,7 +136,9 @@ class BrdfMetricsTest : public QObject {
                                {1e12, 1e12 * (1 + 1e-6)},
                                {1e-12, 2e-12},
                                {0.0, 1e-30},
-                               {1e25, 1e20}}) {
+                               {1e25, 1e20},
+                               {1e38, 3.4e38},
+                               {3.4e38, 1e38}}) {
       const TabulatedBrdf reference = constantTable(double(float(a)), grid);
       const double ratio = a == 0 ? 0 : b / a, value = a == 0 ? b : reference.values()[0].x * ratio;
       const test::FunctionBrdf test([&](const Direction&, const Direction&) { return Rgb(value); });
