@@ -150,7 +150,7 @@ struct ChannelSolution {
 
 /// Bounded least squares in the metric's own domain by Gauss-Newton steps, each an exact bounded linear problem, with
 /// step halving, so that the cost never rises. For metrics without a transform the first step is the solution.
-/// @param guess a start, used if it is better than the solution linearised at the measurement; may be empty.
+/// @param guess the start; empty: the solution linearised at the measurement.
 ChannelSolution solveLinearParameters(const ChannelProblem& problem, const LinearVector& guess);
 
 }  // namespace gonio::fitting

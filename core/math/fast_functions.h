@@ -110,45 +110,6 @@ struct ExpParts {
   return logWithCorrection(u, rounded / u);
 }
 
-/// The cube root in single precision: relative error below 3e-7. As fastCbrt(double), without the last step.
-[[gnu::always_inline]] inline float fastCbrt(float x) {
-  const float size = std::abs(x);
-  const bool isTiny = size < 1e-30f;
-  const bool isHuge = size > 1e36f;
-  const float a = size * (isTiny ? 0x1p48f : isHuge ? 0x1p-48f : 1.0f);
-  constexpr float exponentOf1 = 127.0f * 0x1p23f, bestShift = 0.0331f * 0x1p23f;
-  const auto first = static_cast<std::int32_t>(static_cast<float>(std::bit_cast<std::int32_t>(a)) * (1.0f / 3) +
-                                               (exponentOf1 * 2 / 3 - bestShift));
-  float root = std::bit_cast<float>(first);
-  float cube = root * root * root;
-  root *= (cube + 2 * a) / (2 * cube + a);
-  cube = root * root * root;
-  root *= (cube + 2 * a) / (2 * cube + a);
-  root *= isTiny ? 0x1p-16f : isHuge ? 0x1p16f : 1.0f;
-  return std::copysign(size > 0 ? root : 0.0f, x);
-}
-
-/// ln(1 + x) for x >= 0 in single precision: relative error below 1e-7. Infinity counts as 2^128.
-[[gnu::always_inline]] inline float fastLog1p(float x) {
-  const float u = 1 + x;
-  const float ofSmall = x - (u - 1), ofLarge = 1 - (u - x), rounded = x < 1 ? ofSmall : ofLarge;
-  // As logWithCorrection(), with fewer terms.
-  constexpr std::int32_t one = 0x3f800000, rootHalf = 0x3f3504f3;
-  const std::int32_t shifted = std::bit_cast<std::int32_t>(u) + (one - rootHalf);
-  const float m = std::bit_cast<float>((shifted & 0x007fffff) + rootHalf);
-  const auto k = static_cast<float>((shifted >> 23) - 127);
-  const float f = m - 1, s = f / (f + 2), z = s * s, half = 0.5f * f * f;
-  float series = 1.0f / 9;
-  series = series * z + 1.0f / 7;
-  series = series * z + 1.0f / 5;
-  series = series * z + 1.0f / 3;
-  constexpr float ln2Upper = 0x1.62ep-1f, ln2Lower = static_cast<float>(std::numbers::ln2 - 0x1.62ep-1);
-  const bool isInfinite = u > 3.4e38f;
-  const float correction = isInfinite ? 0.0f : rounded / u;
-  const float small = s * (half + 2 * z * series) + (k * ln2Lower + correction);
-  return k * ln2Upper - ((half - small) - f);
-}
-
 /// atan2(y, x) of finite numbers, without branches and calls, so that loops are vectorised. Absolute error below 1e-15,
 /// relative error below 4e-16 for results near 0. x = 0 counts as positive: (0, 0) gives 0. The arc tangent is a
 /// polynomial on |t| <= tan(pi/8) (Chebyshev interpolation of degree 10 in t^2, error 5e-18).

@@ -12,18 +12,11 @@ namespace gonio::metrics {
 
 namespace {
 
-// CIE 15:2004, equations 8.6 and following: the cube root above 6/29 cubed, and its tangent there below.
-constexpr double labEdge = 6.0 / 29, labEdgeCube = labEdge * labEdge * labEdge, labSlope = 1 / (3 * labEdge * labEdge);
-
-double labRoot(double t) { return t > labEdgeCube ? std::cbrt(t) : t * labSlope + 4.0 / 29; }
-
-/// labRoot(a) - labRoot(b), without branches, so that loops over it become vector code.
-[[gnu::always_inline]] inline double labRootDifference(double a, double b) {
-  const double lineA = a < labEdgeCube ? a : labEdgeCube, lineB = b < labEdgeCube ? b : labEdgeCube;
-  const double aboveA = a > labEdgeCube ? a : labEdgeCube, aboveB = b > labEdgeCube ? b : labEdgeCube;
-  constexpr double scale = 0x1p-12;  // XYZ of the largest BRDF values are beyond the range of single precision
-  return labSlope * (lineA - lineB) +
-         0x1p4 * differenceOfCbrt((aboveA - aboveB) * scale, aboveA * scale, aboveB * scale);
+/// CIE 15:2004, equations 8.6 and following. Both branches are computed, so that loops over it become vector code.
+[[gnu::always_inline]] inline double labRoot(double t) {
+  constexpr double edge = 6.0 / 29;
+  const double root = fastCbrt(t), line = t / (3 * edge * edge) + 4.0 / 29;
+  return t > edge * edge * edge ? root : line;
 }
 
 /// XYZ of reflectances, each over that of the perfect diffuser.
@@ -54,7 +47,7 @@ void labDifferences(const Eigen::Array3Xd& reference, const Eigen::Array3Xd& tes
       }
     }
     // The constants of L*, a* and b* cancel.
-    for (Eigen::Index i = 0; i < 3 * count; ++i) r[i] = labRootDifference(r[i], t[i]);
+    for (Eigen::Index i = 0; i < 3 * count; ++i) r[i] = labRoot(r[i]) - labRoot(t[i]);
     double* d = differences.data() + 3 * begin;
     for (Eigen::Index i = 0; i < 3 * count; i += 3) {
       d[i] = 116 * r[i + 1];

@@ -115,42 +115,21 @@ inline double metricWeight(MetricWeight weight, double cosI, double cosO) {
   }
 }
 
-// Roots and logarithms are of single precision, of arguments that have not lost the difference of close values: the
-// relative error of each d and |d|^p is below 1e-6.
-
-/// In single precision; numbers beyond its range become its largest ones.
-[[gnu::always_inline]] inline float toSingle(double x) {
-  constexpr double most = 3.4e38;
-  return float(x > most ? most : x < -most ? -most : x);
-}
-
-/// a^(1/3) - b^(1/3), a and b >= 0 with the difference a - b.
-[[gnu::always_inline]] inline double differenceOfCbrt(double difference, double a, double b) {
-  constexpr float tiny = 1e-37f;  // two zeros
-  const float rootA = fastCbrt(toSingle(a)), rootB = fastCbrt(toSingle(b));
-  const float quotient = rootA * rootA + rootA * rootB + rootB * rootB;
-  return double(toSingle(difference) / (quotient > tiny ? quotient : tiny));
-}
-
 /// Calls `visitor` with the function (r, t) -> d of a domain that treats channels separately; r, t >= 0.
 template <typename Visitor>
 void visitDifference(MetricDomain domain, double gamma, Visitor&& visitor) {
-  // ln((r + e) / (t + e)) without cancellation for close values.
+  // ln((r + e) / (t + e)) without cancellation for close values, nor where one is much smaller than the other.
   const auto ofLogarithms = [](double r, double t, double e) {
     const double smaller = r < t ? r : t;
-    return std::copysign(double(fastLog1p(toSingle(std::abs(r - t) / (smaller + e)))), r - t);
+    return std::copysign(fastLog1p(std::abs(r - t) / (smaller + e)), r - t);
   };
   switch (domain) {
     case MetricDomain::log:
       return visitor([ofLogarithms](double r, double t) { return ofLogarithms(r, t, 1); });
     case MetricDomain::cubeRoot:
-      return visitor([](double r, double t) { return differenceOfCbrt(r - t, r, t); });
+      return visitor([](double r, double t) { return fastCbrt(r) - fastCbrt(t); });
     case MetricDomain::gamma:
-      if (gamma == 2)
-        return visitor([](double r, double t) {
-          const float sum = std::sqrt(toSingle(r)) + std::sqrt(toSingle(t));
-          return double(toSingle(r - t) / (sum > 1e-37f ? sum : 1e-37f));
-        });
+      if (gamma == 2) return visitor([](double r, double t) { return std::sqrt(r) - std::sqrt(t); });
       return visitor([gamma](double r, double t) { return gammaTransformed(r, gamma) - gammaTransformed(t, gamma); });
     case MetricDomain::logRelative:
       return visitor([ofLogarithms](double r, double t) { return ofLogarithms(r, t, logRelativeOffset); });
@@ -168,10 +147,7 @@ void visitPower(MetricPower power, Visitor&& visitor) {
     case MetricPower::absolute:
       return visitor([](double d) { return std::abs(d); });
     default:
-      return visitor([](double d) {
-        const double root = double(fastCbrt(toSingle(d)));
-        return root * root;
-      });
+      return visitor([](double d) { return fastCbrt(d * d); });
   }
 }
 

@@ -27,8 +27,8 @@ class FastRootsLogsTest : public QObject {
     }
     const double subnormal = 3e-320;
     QVERIFY(relativeError(fastCbrt(subnormal), std::cbrt(static_cast<long double>(subnormal))) < 5e-16);
-    QCOMPARE(fastCbrt(0.0), 0.0);
-    QCOMPARE(fastCbrt(27.0), 3.0);
+    QCOMPARE(fastCbrt(0), 0.0);
+    QCOMPARE(fastCbrt(27), 3.0);
   }
 
   void logarithmsNearZeroAndFarAway() {
@@ -41,26 +41,8 @@ class FastRootsLogsTest : public QObject {
       for (const double x : {std::pow(10, exponent(random)), 1 + below(random)})
         if (x != 1) QVERIFY(relativeError(fastLog(x), std::log(static_cast<long double>(x))) < 5e-16);
     QCOMPARE(fastLog(1), 0.0);
-    QCOMPARE(fastLog1p(0.0), 0.0);
+    QCOMPARE(fastLog1p(0), 0.0);
     QCOMPARE(fastLog1p(1e-300), 1e-300);
-  }
-
-  void singlePrecision() {
-    std::mt19937_64 random(3);
-    std::uniform_real_distribution<double> exponent(-37.5, 38.4);
-    for (int n = 0; n < 300000; ++n) {
-      const auto x = float(std::pow(10, exponent(random)));
-      QVERIFY(relativeError(double(fastCbrt(x)), std::cbrt(static_cast<long double>(x))) < 3e-7);
-      QCOMPARE(fastCbrt(-x), -fastCbrt(x));
-      for (const float y : {x, float(std::pow(double(x), 0.1))})
-        QVERIFY(relativeError(double(fastLog1p(y)), std::log1p(static_cast<long double>(y))) < 1e-7);
-    }
-    const float subnormal = 3e-44f;
-    QVERIFY(relativeError(double(fastCbrt(subnormal)), std::cbrt(static_cast<long double>(subnormal))) < 3e-7);
-    QCOMPARE(fastCbrt(0.0f), 0.0f);
-    QCOMPARE(fastLog1p(0.0f), 0.0f);
-    const double largest = double(fastLog1p(std::numeric_limits<float>::infinity()));
-    QVERIFY(std::abs(largest - 128 * std::log(2)) < 1e-4);
   }
 };
 
