@@ -5,6 +5,8 @@
 // (data/renderings in SHARED, the folder of the development data), without the material and its copies in the prior.
 // Prints a row per material and method: rendered SNR against the RGL file under the light of the picture and under
 // other light, dB; then the medians.
+// gonio_studies photographs SHARED --span [MATERIAL ...]: the most that a linear combination of the components permits:
+// the projection of the whole RGL file onto them.
 // gonio_studies photographs SHARED --uncertainty [MATERIAL ...]: errors beside stated deviations alone.
 // gonio_studies photographs SHARED --wrong [MATERIAL ...]: what is reported of wrong input: a shifted outline, a
 // rotated environment, a wrong and an unknown exposure, clipped pixels, and pixels that are not linear.
@@ -19,14 +21,13 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 
 #include "core/brdf/data_transform.h"
-#include "core/fitting/bounded_least_squares.h"
-#include "core/fitting/projected_problem.h"
-#include "core/models/registry.h"
 #include "core/photograph/photograph_fit.h"
 #include "core/study/training_files.h"
+#include "tests/studies/photograph_baselines.h"
 #include "tests/studies/study_program.h"
 #include "tests/support/mitsuba_pictures.h"
 
@@ -129,132 +130,6 @@ double coverage(const dictionary::PrincipalComponents& basis, const photograph::
   std::nth_element(ratios.begin(), place, ratios.end());
   quantile = *place;
   return within / double(ratios.size());
-}
-
-using photograph::PixelRows, photograph::Region;
-
-/// Pixel values of regions, to which other methods are fitted.
-struct ImageData {
-  std::vector<Region> regions;
-  PixelRows rows;
-  std::vector<DirectionPair> pairs;  ///< of the cells
-};
-
-ImageData imageData(const PhotographPrior& prior, const PhotographSet& set) {
-  ImageData data{.regions = photograph::regionsOf(set, 150), .rows = {}, .pairs = {}};
-  data.rows = photograph::assembleRows(prior.mapping, set, data.regions);
-  for (const std::uint32_t cell : prior.mapping.cells) data.pairs.push_back(prior.mapping.grid.directions(cell));
-  return data;
-}
-
-/// Differences relative to the pixel values, as in the reconstruction.
-void differences(const ImageData& data, const std::vector<glm::vec3>& cellValues, std::span<double> out) {
-  const std::vector<Rgb> values = data.rows.values(cellValues);
-  Rgb mean(0);
-  for (const Region& region : data.regions) mean += region.value / double(data.regions.size());
-  for (std::size_t row = 0; row < values.size(); ++row)
-    for (int channel = 0; channel < 3; ++channel) {
-      const double value = data.regions[row].value[channel];
-      out[3 * row + std::size_t(channel)] =
-          (values[row][channel] - value) / (std::abs(value) + 0.02 * mean[channel] + 1e-9);
-    }
-}
-
-/// The parameters of a model that best reproduce the photograph, from each of some starts.
-std::shared_ptr<const Brdf> fittedModel(const ImageData& data, const models::Model& model,
-                                        const std::vector<models::ParameterValues>& starts, int iterations) {
-  const auto specs = model.spec().parameters;
-  struct Unknown {
-    std::size_t parameter;
-    int channel;
-    fitting::UnitScale scale;
-  };
-  std::vector<Unknown> unknowns;
-  for (std::size_t p = 0; p < specs.size(); ++p) {
-    if (!specs[p].choices.empty() || specs[p].id.find("retro") != std::string_view::npos) continue;
-    for (int channel = 0; channel < (specs[p].perChannel ? 3 : 1); ++channel)
-      unknowns.push_back({p, specs[p].perChannel ? channel : -1, fitting::UnitScale(specs[p])});
-  }
-  std::shared_ptr<const Brdf> best;
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<Rgb> values(data.pairs.size());
-  std::vector<glm::vec3> cells(data.pairs.size());
-  std::vector<double> residuals(3 * data.rows.count());
-  for (const models::ParameterValues& start : starts) {
-    const auto valuesAt = [&](std::span<const double> x) {
-      models::ParameterValues parameters = start;
-      for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        Rgb& of = parameters.values[unknowns[i].parameter];
-        const double value = unknowns[i].scale.toValue(x[i]);
-        if (unknowns[i].channel < 0)
-          of = Rgb(value);
-        else
-          of[unknowns[i].channel] = value;
-      }
-      return parameters;
-    };
-    const auto compute = [&](std::span<const double> x, std::span<double> out) {
-      model.instantiate(valuesAt(x))->evaluate(data.pairs, values);
-      std::copy(values.begin(), values.end(), cells.begin());
-      differences(data, cells, out);
-    };
-    fitting::BoundedVariables variables;
-    for (const Unknown& unknown : unknowns) {
-      const double minimum = std::max(-1.0, unknown.scale.minimum()), maximum = std::min(3.0, unknown.scale.maximum());
-      variables.minimum.push_back(minimum);
-      variables.maximum.push_back(maximum);
-      const Rgb& of = start.values[unknown.parameter];
-      variables.start.push_back(std::clamp(unknown.scale.toUnit(of[std::max(0, unknown.channel)]), minimum, maximum));
-    }
-    const auto x = fitting::boundedLeastSquares(compute, residuals.size(), variables, iterations);
-    compute(x, residuals);
-    double sum = 0;
-    for (const double r : residuals) sum += r * r;
-    if (!(sum < least)) continue;
-    least = sum;
-    best = model.instantiate(valuesAt(x));
-  }
-  return best;
-}
-
-std::shared_ptr<const Brdf> fittedGgx(const ImageData& data) {
-  const models::Model& model = models::findModel("ggx");
-  std::vector<models::ParameterValues> starts;
-  for (const double roughness : {0.1, 0.35}) {
-    starts.push_back(models::defaultParameters(model.spec()));
-    starts.back().values[*model.spec().find("roughness")] = Rgb(roughness);
-  }
-  return fittedModel(data, model, starts, 20);
-}
-
-std::shared_ptr<const Brdf> fittedLobes(const ImageData& data) {
-  const models::Model& model = models::findModel("layered");
-  models::ParameterValues start = models::defaultParameters(model.spec());
-  for (std::size_t p = 0; p < model.spec().parameters.size(); ++p) {
-    const auto& spec = model.spec().parameters[p];
-    if (!spec.choices.empty() && spec.id.find("retro") == std::string_view::npos) start.values[p] = Rgb(1);
-  }
-  return fittedModel(data, model, {start}, 12);
-}
-
-std::shared_ptr<const Brdf> nearest(const ImageData& data, const PhotographPrior& prior, const Training& training,
-                                    const std::string& left, std::string& name) {
-  std::shared_ptr<const Brdf> best;
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<glm::vec3> cells(prior.mapping.cells.size());
-  std::vector<double> residuals(3 * data.rows.count());
-  for (std::size_t m = 0; m < training.names.size(); ++m) {
-    if (training.names[m] == left) continue;
-    for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = training.tables[m]->values()[prior.mapping.cells[i]];
-    differences(data, cells, residuals);
-    double sum = 0;
-    for (const double r : residuals) sum += std::min(r * r, 1e6);
-    if (!(sum < least)) continue;
-    least = sum;
-    best = training.tables[m];
-    name = training.names[m];
-  }
-  return best;
 }
 
 /// Rendered SNRs of all methods: [method][view], a value per material.
@@ -362,7 +237,7 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
     if (!isWhole) continue;
     const ImageData data = imageData(prior, one);
     std::string name;
-    const auto near = nearest(data, prior, training, material, name);
+    const auto near = nearest(data, prior, training.names, training.tables, material, name);
     table.add(material, "nearest material", views, *near);
     std::printf("nearest material: %s\n", name.c_str());
     table.add(material, "GGX", views, *fittedGgx(data));
@@ -371,6 +246,26 @@ int reconstructions(const std::filesystem::path& shared, const std::vector<std::
   }
   if (isWhole) table.printMedians();
   std::printf("\nmean fraction within one deviation, one photograph: %.3f\n", sumWithin / double(materials.size()));
+  return 0;
+}
+
+int span(const std::filesystem::path& shared, const std::vector<std::string>& materials) {
+  const Training training = loadTraining();
+  Table table;
+  for (const std::string& material : materials) {
+    const auto truth = test::mitsubaMaterial(shared, material);
+    const Views views = viewsOf(shared, *truth);
+    const auto truthTable = coarse(*meanOfOrders(bakeTable(*truth, HalfDifferenceGrid())));
+    const auto basis = basisWithout(training, material, std::numeric_limits<int>::max());
+    for (const int components :
+         {photograph::defaultPhotographComponents, 2 * photograph::defaultPhotographComponents, basis.count()}) {
+      const bool isAll = components == basis.count();
+      table.add(material, isAll ? "all components" : std::to_string(components) + " components", views,
+                *dictionary::decode(basis, dictionary::encode(basis, *truthTable, components)));
+    }
+    table.add(material, "reciprocal table", views, *truthTable);
+  }
+  table.printMedians();
   return 0;
 }
 
@@ -583,9 +478,10 @@ int calibration(const std::filesystem::path& shared, std::size_t count, const st
 
 int study(int argumentCount, char** arguments) {
   if (argumentCount < 2) {
-    std::fprintf(stderr,
-                 "usage: gonio_studies photographs SHARED [--uncertainty | --wrong | --shapes | --calibration] "
-                 "[MATERIAL ... | COUNT [IMAGES ...] [--flat]]\n");
+    std::fprintf(
+        stderr,
+        "usage: gonio_studies photographs SHARED [--span | --uncertainty | --wrong | --shapes | --calibration] "
+        "[MATERIAL ... | COUNT [IMAGES ...] [--flat]]\n");
     return 2;
   }
   std::vector<std::string> materials(arguments + 2, arguments + argumentCount);
@@ -598,9 +494,10 @@ int study(int argumentCount, char** arguments) {
                        isFlat);
   }
   const bool isWrong = std::erase(materials, "--wrong") > 0, isUncertainty = std::erase(materials, "--uncertainty") > 0;
-  const bool isOfShapes = std::erase(materials, "--shapes") > 0;
+  const bool isOfShapes = std::erase(materials, "--shapes") > 0, isOfSpan = std::erase(materials, "--span") > 0;
   if (materials.empty()) materials = test::mitsubaMaterials();
   if (isOfShapes) return shapes(arguments[1], materials);
+  if (isOfSpan) return span(arguments[1], materials);
   return isWrong ? wrongInput(arguments[1], materials) : reconstructions(arguments[1], materials, !isUncertainty);
 }
 
