@@ -16,7 +16,7 @@ cd "$root"
 
 suppressions=$root/tests/sanitizers
 editor="^(widgets|app/gonio)$"
-display=(env LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1600x1000x24")
+display=(env LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1600x1000x24 -noreset")
 
 # build PRESET: builds and removes the logs of the run before.
 build() {

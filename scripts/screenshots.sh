@@ -21,7 +21,7 @@ picture() {
   shift 3
   case "$names" in "  " | *" $name "*) ;; *) return 0 ;; esac
   XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings LIBGL_ALWAYS_SOFTWARE=1 \
-    xvfb-run -a -s "-screen 0 1600x1000x24" \
+    xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" \
     "$editor" "$file" "$@" --theme "$theme" --size 1500x940 --wait 400 --screenshot "$folder/$name"
   echo "$folder/$name"
 }

@@ -3,7 +3,7 @@
 // How long the GUI thread is away from its events while the preview is used: for each thing that a user does, the
 // longest event (of all that Qt delivers until the picture has converged), and how long the first new frame took. Then,
 // while a slider is dragged, the time from each step to the picture with it.
-//   gonio_frame_times [width height]
+//   gonio_frame_times [width height [sliders]]     (sliders: only the last)
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QThread>
@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <string_view>
 
 #include "core/materials/material.h"
 #include "core/models/model.h"
@@ -205,6 +206,7 @@ int main(int argc, char** argv) {
   TimedApplication application(argc, argv);
   const QSize size = argc > 2 ? QSize(std::atoi(argv[1]), std::atoi(argv[2])) : QSize(900, 700);
   Session session(application, size);
-  session.run();
+  const bool onlySliders = argc > 3 && std::string_view(argv[3]) == "sliders";
+  if (!onlySliders) session.run();
   session.runSliders();
 }

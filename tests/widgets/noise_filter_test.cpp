@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/gl/noise_filter.h"
+#include "widgets/preview/gl/known_picture.h"
 
 #include <QTest>
 #include <cmath>
@@ -88,6 +88,133 @@ class NoiseFilterTest : public QObject {
     QVERIFY(metrics::signalToNoiseRatio(picture_->readPicture(), filtered()) > 45);
   }
 
+  /// One sample at half the resolution: no change leaves the known picture as it is; with a change, less error
+  /// is left than of one sample at the full resolution, which costs four times as much.
+  void theChangeIsAddedToAKnownPicture() {
+    for (const auto& [before, after, left] : {std::tuple{0.3, 0.3, 0.0}, std::tuple{0.3, 0.33, 0.1},
+                                              std::tuple{0.1, 0.2, 0.6}, std::tuple{0.3, 0.1, 0.7}}) {
+      const auto known = rough(before), changed = rough(after);
+      const auto density = std::make_shared<const TabulatedDensity>(*known);
+      draw("sphere", changed, 512);
+      const Image reference = picture_->readPicture();
+      draw("sphere", changed, 1);
+      const double ofOneSample = visibleError(filtered(), reference);
+      draw("sphere", known, 512);
+      const Image first = picture_->readPicture();
+      widgets::KnownPicture kept;
+      kept.keep(*picture_, nullptr);
+      picture_->setSubject(widgets::measuredSubject(changed, density));
+      kept.drawBefore(*picture_, {side / 2, side / 2}, 1);
+      picture_->setSize({side / 2, side / 2});
+      picture_->accumulate(1);
+      const double error = visibleError(filtered(&kept), reference);
+      const double without = visibleError(first, reference);
+      qInfo("roughness %g to %g: error %.4f, without the change %.4f, of a sample at full resolution %.4f", before,
+            after, error, without, ofOneSample);
+      if (before == after)
+        QVERIFY(metrics::signalToNoiseRatio(first, filtered(&kept)) > 60);
+      else
+        QVERIFY(error < left * ofOneSample && error < without);
+      kept.release();
+    }
+  }
+
+  void aKnownPictureServesChangesOfOneMaterial() {
+    const auto table = rough(0.3), other = rough(0.4);
+    draw("sphere", table, 1);
+    widgets::KnownPicture kept;
+    QVERIFY(!kept.serves(widgets::measuredSubject(table), {side, side}));
+    kept.keep(*picture_, nullptr);
+    QVERIFY(kept.serves(widgets::measuredSubject(table), {side, side}));
+    QVERIFY(!kept.serves(widgets::measuredSubject(table), {side, side / 2}));
+    QVERIFY(!kept.serves(widgets::measuredSubject(other), {side, side}));
+    QVERIFY(!kept.serves({}, {side, side}));
+    kept.release();
+  }
+
+  /// While a slider moves at a large size, the first frame is drawn in any case and near the final picture; after a
+  /// turn of the light, which no known picture serves, it is not.
+  void theFirstFrameOfAChangeIsNearTheLast() {
+    const QSize size(480, 480);
+    widgets::PictureDrawer drawer;
+    drawer.initialize();
+    const auto table = rough(0.3);
+    const models::Model& model = models::findModel("ggx");
+    editing::DifferentialEdit edit = editing::unchangedEdit(model, models::defaultParameters(model.spec()));
+    const auto density = std::make_shared<const TabulatedDensity>(*table);
+    widgets::PictureRequest request;
+    request.scene = openScene("sphere");
+    request.sides[0].plan = request.sides[1].plan =
+        widgets::previewPlan(request.scene, std::make_shared<const RenderMaterial>(table));
+    request.viewport = request.picture = size;
+    request.wantedSamples = 16;
+    request.filtersNoise = true;
+    QOpenGLFramebufferObject screen(size);
+    const auto present = [&] {
+      screen.bind();
+      drawer.present(request);
+      const QImage shown = screen.toImage();
+      screen.release();
+      Image image(size.width(), size.height());
+      for (int y = 0; y < size.height(); ++y)
+        for (int x = 0; x < size.width(); ++x) image.at(x, y) = glm::vec3(float(qGreen(shown.pixel(x, y))));
+      return image;
+    };
+    const auto converge = [&] {
+      widgets::PictureState state;
+      do state = drawer.addFrame(request);
+      while (state.sides[0].size != size || state.sides[0].samples < request.wantedSamples);
+      return present();
+    };
+    const auto always = [] { return true; };
+    const auto show = [&](double roughness) {
+      edit.edited.values[*model.spec().find("roughness")] = Rgb(roughness);
+      request.sides[0].subject = {widgets::EditedMaterial{table, {{edit}}}, density};
+      ++request.sides[0].subjectNumber;
+      return drawer.addFrame(request, always);
+    };
+    const double start = edit.fitted.values[*model.spec().find("roughness")][0];
+    show(start * 1.01);
+    const Image unchanged = converge();
+    const widgets::PictureState first = show(start * 1.1);
+    if (first.sides[0].size == size) QSKIP("this machine draws the first frame at the full resolution");
+    QVERIFY(!first.isObsolete && first.sides[0].isFiltered);
+    const Image ofChange = present();
+    QVERIFY(drawer.addFrame(request, always).isObsolete);
+    QVERIFY(present().pixels == ofChange.pixels);
+    const Image last = converge();
+    const double near = metrics::signalToNoiseRatio(last, ofChange);
+    const double without = metrics::signalToNoiseRatio(last, unchanged);
+    request.scene.environmentRotation += 0.3;
+    drawer.addFrame(request);
+    const Image ofTurn = present();
+    const double far = metrics::signalToNoiseRatio(converge(), ofTurn);
+    qInfo("first frame after a change %.1f dB, the picture before %.1f dB, after a turn %.1f dB", near, without, far);
+    QVERIFY(near > 35 && near > without + 3 && near > far + 6);
+    drawer.release();
+  }
+
+  /// A frame that nobody wants any more leaves the samples of those before it.
+  void anObsoleteFrameIsTakenBack() {
+    const QSize size(256, 256);
+    const auto table = rough(0.3);
+    draw("sphere", table, 1);
+    picture_->setSize(size);
+    picture_->accumulate(8);
+    const Image before = picture_->readPicture();
+    int asked = 0;
+    if (picture_->accumulate(64, [&] { return ++asked == 2; })) QSKIP("this machine draws all in one band");
+    QCOMPARE(picture_->samples(), 8);
+    const Image after = picture_->readPicture();
+    int same = 0;
+    for (int y = 0; y < size.height(); ++y)
+      same += std::equal(&before.at(0, y), &before.at(0, y) + size.width(), &after.at(0, y));
+    QVERIFY(same > 0 && same < size.height());  // the upper rows were not reached, the lower ones have more samples
+    QVERIFY(metrics::signalToNoiseRatio(before, after) > 15);
+    QVERIFY(picture_->accumulate(64));
+    QCOMPARE(picture_->samples(), 72);
+  }
+
   /// The path tracer's normals and squares are those of the shader. In a studio its squares are smaller, since its
   /// samples have less noise than the shader's.
   void featuresAreThoseOfTheFilm_data() {
@@ -164,8 +291,8 @@ class NoiseFilterTest : public QObject {
     return texels;
   }
 
-  Image filtered() {
-    filter_.apply(gl_, *resources_, *picture_);
+  Image filtered(const widgets::KnownPicture* known = nullptr) {
+    filter_.apply(gl_, *resources_, *picture_, known);
     const std::vector<glm::vec4> texels = read(filter_.shown().texture);
     Image image(side, side);
     for (int y = 0; y < side; ++y)

@@ -9,14 +9,15 @@
 
 namespace gonio::widgets {
 
-FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted, bool resting) const {
+FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted, bool resting, bool addsChange) const {
   const double budget = (resting && accumulated > 0 ? restingMs : interactiveMs) * 1e6;
   const auto affordable = [&](double atPixels) {
     return std::clamp(static_cast<int>(budget / std::max(1.0, nsPerSample_ * atPixels)), 1, maxSamplesPerFrame);
   };
   const int full = affordable(pixels);
   if (accumulated == 0 && full < minFirstSamples) {
-    const double scale = nsPerSample_ * pixels / 4 > maxFirstFrameMs * 1e6 ? 0.25 : 0.5;
+    const double mostMs = addsChange ? interactiveMs : maxFirstFrameMs;
+    const double scale = nsPerSample_ * pixels / 4 > mostMs * 1e6 ? 0.25 : 0.5;
     return {affordable(pixels * scale * scale), scale};
   }
   return {std::min(full, std::max(1, wanted - accumulated)), 1.0};
@@ -29,10 +30,19 @@ void FrameBudget::record(double pixels, int samples, double milliseconds) {
 }
 
 namespace {
+/// With fewer, a picture is not worth being kept.
+constexpr int fewestKnownSamples = 8;
+
 bool isAtRest(const PictureRequest& request) {
   return std::chrono::steady_clock::now() - request.changed >= timeToRest;
 }
 }  // namespace
+
+bool PictureRequest::replaces(const PictureRequest& other) const {
+  return sides[0].subjectNumber != other.sides[0].subjectNumber ||
+         sides[1].subjectNumber != other.sides[1].subjectNumber || scene.camera != other.scene.camera ||
+         scene.environmentRotation != other.scene.environmentRotation || picture != other.picture;
+}
 
 PictureDrawer::PictureDrawer()
     : resources_(std::make_shared<PreviewResources>()),
@@ -49,6 +59,7 @@ void PictureDrawer::release() {
   for (Side& side : sides_) {
     side.picture.release();
     side.filter.release();
+    forget(side);
     side.filteredSamples = 0;
   }
   resources_->release();
@@ -64,41 +75,68 @@ void PictureDrawer::take(const PictureRequest& request) {
     const PictureRequest::Side& wanted = request.sides[i];
     // If a scene is not drawn, the previous film stays until the next one is ready.
     if (!request.isDrawn && !wanted.subject.isEmpty()) continue;
-    if (side.film && !wanted.film) {
+    if (wanted.film) continue;
+    const bool changes = wanted.subjectNumber != side.subjectNumber;
+    if (changes) keepKnown(side, request);
+    if (side.film) {
       side.picture.restart();
       side.film.reset();
     }
-    if (wanted.film) continue;
-    if (wanted.subjectNumber != side.subjectNumber) {
+    if (changes) {
       side.picture.setSubject(wanted.subject);
       side.subjectNumber = wanted.subjectNumber;
     }
-    if (request.isDrawn) side.picture.setScene(request.scene, wanted.plan, request.otherSlotSubjects);
+    const bool sameScene =
+        !request.isDrawn || !side.picture.setScene(request.scene, wanted.plan, request.otherSlotSubjects);
+    if (!sameScene || !request.filtersNoise || !side.known.serves(wanted.subject, request.picture)) forget(side);
   }
   if (request.comparison.difference != comparison_.difference || request.comparison.range != comparison_.range)
     range_ = 0;
   comparison_ = request.comparison;
 }
 
-PictureState PictureDrawer::addFrame(const PictureRequest& request) {
+bool PictureDrawer::startsCoarse(const PictureRequest& request) const {
+  const double pixels = double(request.picture.width()) * request.picture.height() * (request.comparing ? 2 : 1);
+  return budget_.next(pixels, 0, request.wantedSamples, true).scale < 1;
+}
+
+void PictureDrawer::forget(Side& side) {
+  side.known.release();
+  side.showsChange = false;
+}
+
+/// Comes before the subject changes.
+void PictureDrawer::keepKnown(Side& side, const PictureRequest& request) {
+  const bool isOfSubject = !side.film || side.filmNumber == side.subjectNumber;
+  if (!isOfSubject || side.picture.size() != request.picture || side.picture.samples() < fewestKnownSamples) return;
+  if (!request.filtersNoise || !startsCoarse(request)) return forget(side);
+  side.known.keep(side.picture, side.filteredSamples > 0 ? &side.filter : nullptr);
+  side.filteredSamples = 0;
+}
+
+PictureState PictureDrawer::addFrame(const PictureRequest& request, const std::function<bool()>& isObsolete) {
   take(request);
   PictureState state{.number = request.number};
   for (std::size_t i = 0; i < sides_.size(); ++i)
     if (takeFilm(sides_[i], request.sides[i]) && i == 0) state.isNew = true;
-  addSamples(request, state);
+  addSamples(request, state, isObsolete);
+  if (state.isObsolete) return state;
   for (Side& side : sides_) filterNoise(side, request);
   updateRange(request);
   state.range = range_;
   for (std::size_t i = 0; i < sides_.size(); ++i)
     state.sides[i] = {sides_[i].picture.size(), sides_[i].picture.samples(), sides_[i].film != nullptr,
-                      sides_[i].filteredSamples > 0};
+                      sides_[i].isFiltered()};
   return state;
 }
 
 /// @returns whether it is a new one.
 bool PictureDrawer::takeFilm(Side& side, const PictureRequest::Side& wanted) {
   if (!wanted.film || wanted.film == side.film) return false;
+  if (side.showsChange && wanted.film->samples < fewestKnownSamples) return false;
+  forget(side);
   side.film = wanted.film;
+  side.filmNumber = wanted.subjectNumber;
   side.filteredSamples = 0;
   side.picture.showTraced(*wanted.film);
   return true;
@@ -107,6 +145,17 @@ bool PictureDrawer::takeFilm(Side& side, const PictureRequest::Side& wanted) {
 /// Again whenever the samples have doubled: filtering takes as long as some of them.
 void PictureDrawer::filterNoise(Side& side, const PictureRequest& request) {
   const int samples = side.picture.samples();
+  if (side.known.isKept() && samples > 0) {
+    if (side.picture.size() != request.picture) {
+      if (side.filteredSamples == 0) side.filter.apply(*this, *resources_, side.picture, &side.known);
+      side.filteredSamples = samples;
+      side.showsChange = true;
+      return;
+    }
+    // The change shows less noise than the first samples at the full resolution.
+    if (side.showsChange && samples < std::min(fewestKnownSamples, request.wantedSamples)) return;
+    forget(side);
+  }
   if (!request.filtersNoise || samples == 0 || samples >= request.wantedSamples) {
     side.filteredSamples = 0;
   } else if (side.filteredSamples == 0 || samples >= 2 * side.filteredSamples) {
@@ -123,7 +172,8 @@ bool PictureDrawer::needsSamples(const PictureRequest& request, std::size_t side
   return picture.size() != request.picture || picture.samples() < request.wantedSamples;
 }
 
-void PictureDrawer::addSamples(const PictureRequest& request, PictureState& state) {
+void PictureDrawer::addSamples(const PictureRequest& request, PictureState& state,
+                               const std::function<bool()>& isObsolete) {
   const std::array needs{needsSamples(request, 0), needsSamples(request, 1)};
   if (!needs[0] && !needs[1]) return;
   const bool resting = request.drawsAtRest && isAtRest(request);
@@ -131,15 +181,24 @@ void PictureDrawer::addSamples(const PictureRequest& request, PictureState& stat
   const int wanted = request.wantedSamples;
   const int accumulated =
       std::min(needs[0] ? sides_[0].picture.samples() : wanted, needs[1] ? sides_[1].picture.samples() : wanted);
-  const FrameBudget::Frame frame = budget_.next(pixels, accumulated, wanted, resting);
+  const auto hasKnown = [&](std::size_t i) { return !needs[i] || sides_[i].known.isKept(); };
+  const bool addsChange = hasKnown(0) && hasKnown(1);
+  const FrameBudget::Frame frame = budget_.next(pixels, accumulated, wanted, resting, addsChange);
   coarse_ = frame.scale < 1;
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    if (needs[i] && coarse_ && sides_[i].known.isKept())
+      sides_[i].known.drawBefore(sides_[i].picture, request.picture * frame.scale, frame.samples);
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (!needs[i]) continue;
     if (sides_[i].picture.samples() == 0 || sides_[i].picture.size() != request.picture * frame.scale)
       sides_[i].filteredSamples = 0;
     sides_[i].picture.setSize(request.picture * frame.scale);
-    sides_[i].picture.accumulate(frame.samples);
+    // The first frame of each step is shown: else slow ones would never be.
+    if (!sides_[i].picture.accumulate(frame.samples, accumulated > 0 ? isObsolete : nullptr)) {
+      state.isObsolete = true;
+      return;
+    }
   }
   state.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   state.isNew = needs[0];

@@ -6,12 +6,13 @@
 #include <QSize>
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/film.h"
-#include "widgets/preview/gl/noise_filter.h"
+#include "widgets/preview/gl/known_picture.h"
 #include "widgets/preview/gl/preview_display.h"
 #include "widgets/preview/gl/preview_subject.h"
 
@@ -35,7 +36,8 @@ class FrameBudget {
   };
   /// @param pixels of the picture at full scale; @param accumulated samples so far (0: first frame after a change);
   /// @param wanted samples of the converged picture; @param resting nothing has changed for a while.
-  Frame next(double pixels, int accumulated, int wanted, bool resting) const;
+  /// @param addsChange the first frame shows the change of a known picture, for which a quarter is enough.
+  Frame next(double pixels, int accumulated, int wanted, bool resting, bool addsChange = false) const;
 
   /// Records the cost of a frame.
   void record(double pixels, int samples, double milliseconds);
@@ -70,6 +72,9 @@ struct PictureRequest {
   QSize viewport{1, 1}, picture{1, 1};            ///< pixels; the whole viewport and one side
   int wantedSamples = 64;                         ///< per pixel
   std::chrono::steady_clock::time_point changed;  ///< time of the user's last change
+
+  /// Whether a step of the hand since the other request makes its frames useless: of the material, camera or light.
+  bool replaces(const PictureRequest& other) const;
 };
 
 /// The result of rendering.
@@ -86,6 +91,7 @@ struct PictureState {
   double range = 0;         ///< the difference shown in the last colour; 0: not determined yet
   double milliseconds = 0;  ///< time for the new samples
   bool isNew = false;       ///< whether the first side has new samples
+  bool isObsolete = false;  ///< drawing was ended by PictureDrawer::addFrame()'s isObsolete
   QImage picture;           ///< the final picture, with the viewport's size
 };
 
@@ -103,8 +109,10 @@ class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
   void setCompileListener(std::function<void()> listener);
 
   /// Adds the samples of one frame, unless the picture is complete.
+  /// @param isObsolete asked every few ms while a frame after the first one of a material and scene is drawn: if true,
+  /// it is ended.
   /// @throws Error with the compiler's log if a shader does not compile.
-  PictureState addFrame(const PictureRequest& request);
+  PictureState addFrame(const PictureRequest& request, const std::function<bool()>& isObsolete = {});
   /// Draws the request's viewport to the bound framebuffer.
   void present(const PictureRequest& request);
   /// Time until the next frame of the request, in ms; nullopt if it has all samples.
@@ -115,20 +123,26 @@ class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
  private:
   struct Side {
     explicit Side(const std::shared_ptr<PreviewResources>& resources) : picture(resources) {}
-    ShownPicture shown() const { return filteredSamples > 0 ? filter.shown() : picture.shown(); }
+    ShownPicture shown() const { return isFiltered() ? filter.shown() : picture.shown(); }
+    bool isFiltered() const { return filteredSamples > 0 || showsChange; }
 
     PreviewRenderer picture;
     NoiseFilter filter;
-    int filteredSamples = 0;  ///< samples at the time of noise filtering; 0: not filtered
-    int subjectNumber = -1;
+    KnownPicture known;
+    int filteredSamples = 0;                  ///< samples at the time of noise filtering; 0: not filtered
+    bool showsChange = false;                 ///< the filter shows the known picture with the change
+    int subjectNumber = -1, filmNumber = -1;  ///< of the renderer's subject, and of the film's
     std::shared_ptr<const rendering::Film>
         film;  ///< the film that the picture shows; null: it is rendered by the shader
   };
 
   void take(const PictureRequest& request);
+  static void forget(Side& side);
+  void keepKnown(Side& side, const PictureRequest& request);
+  bool startsCoarse(const PictureRequest& request) const;
   bool takeFilm(Side& side, const PictureRequest::Side& wanted);
   void filterNoise(Side& side, const PictureRequest& request);
-  void addSamples(const PictureRequest& request, PictureState& state);
+  void addSamples(const PictureRequest& request, PictureState& state, const std::function<bool()>& isObsolete);
   void updateRange(const PictureRequest& request);
   bool needsSamples(const PictureRequest& request, std::size_t side) const;
 

@@ -69,7 +69,8 @@ class PictureThread::Worker : public QObject {
     std::optional<PictureState> state;
     guarded(request->number, [&] {
       makeCurrent();
-      PictureState reached = m_drawer.addFrame(*request);
+      PictureState reached = m_drawer.addFrame(*request, [&] { return newest()->replaces(*request); });
+      if (reached.isObsolete) return;  // the newer request has started the timer
       m_readback.begin(m_gl, request->viewport);
       m_drawer.present(*request);
       reached.picture = m_readback.read(m_gl);

@@ -9,6 +9,11 @@
 namespace gonio::widgets {
 
 MaterialEstimator::MaterialEstimator(QObject* parent) : QObject(parent) {
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(timeToRest);
+  connect(&m_rest, &QTimer::timeout, this, [this] {
+    if (m_next && !m_running) start();
+  });
   connect(&m_watcher, &QFutureWatcher<Outcome>::finished, this, &MaterialEstimator::finish);
 }
 
@@ -17,10 +22,9 @@ MaterialEstimator::~MaterialEstimator() { m_watcher.waitForFinished(); }
 void MaterialEstimator::request(const PreviewSubject& subject) {
   if (subject.isEmpty()) return cancel();
   m_wanted = true;
-  if (m_busy)
-    m_next = subject;
-  else
-    start(subject);
+  m_next = subject;
+  if (!m_running && !m_rest.isActive()) start();
+  m_rest.start();
 }
 
 void MaterialEstimator::cancel() {
@@ -28,8 +32,9 @@ void MaterialEstimator::cancel() {
   m_wanted = false;
 }
 
-void MaterialEstimator::start(const PreviewSubject& subject) {
-  m_busy = true;
+void MaterialEstimator::start() {
+  m_running = true;
+  const PreviewSubject subject = *std::exchange(m_next, std::nullopt);
   m_watcher.setFuture(QtConcurrent::run(&m_pool, [subject] {
     Outcome outcome;
     outcome.failure = TaskFailure::of([&] {
@@ -46,11 +51,10 @@ void MaterialEstimator::start(const PreviewSubject& subject) {
 }
 
 void MaterialEstimator::finish() {
-  m_busy = false;
+  m_running = false;
   if (m_next) {
-    const PreviewSubject next = *m_next;
-    m_next.reset();
-    return start(next);
+    if (!m_rest.isActive()) start();
+    return;
   }
   if (!m_wanted) return;
   const Outcome outcome = m_watcher.result();

@@ -9,6 +9,7 @@
 #include <QSize>
 #include <QString>
 #include <QThreadPool>
+#include <QTimer>
 #include <new>
 #include <optional>
 #include <stop_token>
@@ -50,7 +51,8 @@ struct MaterialEstimate {
 };
 
 /// Estimates a subject's sampling density and albedo in another thread: about 10 ms, or about 100 ms for a blend of
-/// codes with different dictionaries. While an estimate runs, only the newest further request waits.
+/// codes with different dictionaries. The first of several requests is processed at once, the newest of the others when
+/// none has come for timeToRest: while a slider moves, the cores draw.
 class MaterialEstimator : public QObject {
   Q_OBJECT
 
@@ -61,7 +63,7 @@ class MaterialEstimator : public QObject {
   void request(const PreviewSubject& subject);
   /// Drops all requests; their results are not reported.
   void cancel();
-  bool isBusy() const { return m_busy; }
+  bool isBusy() const { return m_running || m_next; }
 
  Q_SIGNALS:
   void estimated(const gonio::widgets::MaterialEstimate& estimate);
@@ -69,7 +71,7 @@ class MaterialEstimator : public QObject {
   void failed(const QString& message);
 
  private:
-  void start(const PreviewSubject& subject);
+  void start();
   void finish();
 
   struct Outcome {
@@ -79,7 +81,8 @@ class MaterialEstimator : public QObject {
   QThreadPool m_pool;  ///< separate from the global pool, which Qt uses for painting, so that painting does not wait
   QFutureWatcher<Outcome> m_watcher;
   std::optional<PreviewSubject> m_next;
-  bool m_busy = false, m_wanted = false;
+  QTimer m_rest;  ///< active for timeToRest after a request
+  bool m_running = false, m_wanted = false;
 };
 
 /// Path-traces a scene in another thread: coarse pictures first, then at full size with an increasing number of

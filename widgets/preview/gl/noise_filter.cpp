@@ -2,6 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/noise_filter.h"
 
+#include <span>
+
+#include "widgets/preview/gl/known_picture.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -19,42 +23,76 @@ void bindTexture(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, i
   program.setUniformValue(name, unit);
 }
 
+using Buffer = std::unique_ptr<QOpenGLFramebufferObject>;
+
+void resize(Buffer& buffer, const QSize& size, int textures = 1) {
+  if (buffer && buffer->size() == size) return;
+  buffer = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::NoAttachment, GL_TEXTURE_2D,
+                                                      GL_RGBA32F);
+  if (textures == 2) buffer->addColorAttachment(size, GL_RGBA32F);
+}
+
 }  // namespace
 
-void NoiseFilter::apply(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resources, const PreviewRenderer& picture) {
-  for (auto& target : targets_)
-    if (!target || target->size() != picture.size())
-      target = std::make_unique<QOpenGLFramebufferObject>(picture.size(), QOpenGLFramebufferObject::NoAttachment,
-                                                          GL_TEXTURE_2D, GL_RGBA32F);
-  gl.glViewport(0, 0, picture.size().width(), picture.size().height());
+void NoiseFilter::apply(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resources, const PreviewRenderer& picture,
+                        const KnownPicture* known) {
   gl.glDisable(GL_DEPTH_TEST);
   gl.glDisable(GL_BLEND);
-  const auto pass = [&](const QStringList& definitions, QPoint stride) {
+  const bool isFew = picture.samples() < fewSamples;
+  const auto pass = [&](QStringList definitions, Buffer& target, GLuint filtered, QPoint stride = {}) {
+    if (known) definitions << "CHANGE";
     QOpenGLShaderProgram& program = resources.program("preview/noise_filter.frag", definitions);
     program.bind();
     bindTexture(gl, program, accumulationUnit, "accumulation", picture.accumulationTexture());
     bindTexture(gl, program, otherAccumulationUnit, "features", picture.featureTexture());
-    bindTexture(gl, program, colourMapUnit, "filtered", targets_[0]->texture());
+    bindTexture(gl, program, colourMapUnit, "filtered", filtered);
+    bindTexture(gl, program, factorUnit, "guide", prepared_->textures()[1]);
+    if (known) {
+      bindTexture(gl, program, firstBlendUnit, "before", known->beforeTexture());
+      bindTexture(gl, program, firstBlendUnit + 1, "known", known->shown().texture);
+      program.setUniformValue("knownSamples", known->shown().samples);
+    }
     program.setUniformValue("samples", float(picture.samples()));
-    program.setUniformValue("hasFewSamples", picture.samples() < fewSamples);
+    program.setUniformValue("usesNeighbours", known || isFew);
     gl.glUniform2i(program.uniformLocation("stride"), stride.x(), stride.y());
-    targets_[1]->bind();
+    target->bind();
+    constexpr GLenum outputs[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    gl.glDrawBuffers(definitions.contains("PREPARE") ? 2 : 1, outputs);
+    gl.glViewport(0, 0, target->width(), target->height());
     resources.drawFullscreen();
-    targets_[1]->release();
+    target->release();
     program.release();
+  };
+  const auto filter = [&](const QStringList& definitions, QPoint stride = {}) {
+    pass(definitions, targets_[1], targets_[0]->texture(), stride);
     std::swap(targets_[0], targets_[1]);
   };
-  pass({"PREPARE"}, {});
-  for (const QPoint stride : strides) pass({"LEVEL"}, stride);
-  if (picture.samples() < fewSamples) pass({"LEVEL"}, lastStride);
-  pass({}, {});
+  resize(prepared_, picture.size(), 2);
+  for (Buffer& target : targets_) resize(target, picture.size());
+  pass({"PREPARE"}, prepared_, 0);
+  pass({"VARIANCE"}, targets_[0], prepared_->texture());
+  // The longest would reach over too much of a picture at a quarter of the resolution.
+  for (const QPoint stride : std::span(strides).first(known ? 3 : 4)) filter({"LEVEL"}, stride);
+  if (isFew) filter({"LEVEL"}, lastStride);
+  filter({});
+  if (known) {
+    gl.glBindTexture(GL_TEXTURE_2D, targets_[0]->texture());
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    resize(changed_, known->size());
+    pass({"ADD"}, changed_, targets_[0]->texture());
+  } else {
+    changed_.reset();
+  }
   gl.glFinish();
 }
 
-ShownPicture NoiseFilter::shown() const { return {targets_[0] ? targets_[0]->texture() : 0, 1}; }
+ShownPicture NoiseFilter::shown() const {
+  const Buffer& buffer = changed_ ? changed_ : targets_[0];
+  return {buffer ? buffer->texture() : 0, 1};
+}
 
 void NoiseFilter::release() {
-  for (auto& target : targets_) target.reset();
+  for (Buffer* buffer : {&prepared_, &targets_[0], &targets_[1], &changed_}) buffer->reset();
 }
 
 }  // namespace gonio::widgets

@@ -53,7 +53,7 @@ void PreviewRenderer::setSubject(const PreviewSubject& subject) {
   restart();
 }
 
-void PreviewRenderer::setScene(const rendering::Scene& scene, const rendering::EffectPlan& plan,
+bool PreviewRenderer::setScene(const rendering::Scene& scene, const rendering::EffectPlan& plan,
                                const std::vector<PreviewSubject>& otherSlotSubjects) {
   SceneUniforms uniforms(scene, plan);
   const auto sameMaterial = [](const PreviewSubject& a, const PreviewSubject& b) {
@@ -66,6 +66,12 @@ void PreviewRenderer::setScene(const rendering::Scene& scene, const rendering::E
   otherSlotSubjects_ = otherSlotSubjects;
   sceneUniforms_ = std::move(uniforms);
   if (!same) restart();
+  return !same;
+}
+
+std::unique_ptr<QOpenGLFramebufferObject> PreviewRenderer::takeBuffer() {
+  restart();
+  return std::move(accumulation_);
 }
 
 void PreviewRenderer::setSize(const QSize& size) {
@@ -162,15 +168,20 @@ void PreviewRenderer::prepareTarget(bool isFirstPass) {
   glBlendFunc(GL_ONE, GL_ONE);
 }
 
-void PreviewRenderer::accumulate(int count) {
-  if (!hasMaterial() || count <= 0) return;
+bool PreviewRenderer::accumulate(int count, const std::function<bool()>& isObsolete) {
+  if (!hasMaterial() || count <= 0) return true;
   createTarget();
   const std::vector<Pass> all = passes();
-  for (const Pass& pass : all) addSamples(pass, all.size() == 1, count);
-  samples_ += count;
+  if (all.size() == 1) return addSamples(all.front(), true, count, isObsolete);
+  const int before = samples_;
+  for (const Pass& pass : all) {
+    samples_ = before;
+    addSamples(pass, false, count, {});
+  }
+  return true;
 }
 
-void PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count) {
+bool PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count, const std::function<bool()>& isObsolete) {
   QOpenGLShaderProgram& program = sceneProgram(pass.subject, isOnly);
   program.bind();
   pass.textures.bind(*this, program, *resources_, pass.subject, sceneUniforms_.samplesDirections());
@@ -179,30 +190,57 @@ void PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count) {
   if (!isOnly) program.setUniformValue("drawnSlots", pass.slots);
   prepareTarget(&pass.subject == &subject_);
   const int most = sceneUniforms_.meshes().empty() ? maxSamples : maxMeshSamples;
-  for (int done = 0; done < count; done += most) {
-    setSampleUniforms(program, samples_ + done, std::min(most, count - done));
-    drawInBands();
+  int rows = size_.height();
+  for (int done = 0, now = 0; done < count && rows == size_.height(); done += now) {
+    now = std::min(most, count - done);
+    setSampleUniforms(program, samples_, now);
+    rows = drawInBands(now, isObsolete);
+    if (rows == size_.height())
+      samples_ += now;
+    else
+      takeBack(program, rows, now);
   }
   glDisable(GL_BLEND);
   program.release();
   accumulation_->release();
+  return rows == size_.height();
 }
 
 /// The time of a band decides how many rows the next one has.
-void PreviewRenderer::drawInBands() {
+/// @returns the number of rows drawn.
+int PreviewRenderer::drawInBands(int samples, const std::function<bool()>& isObsolete) {
   using Clock = std::chrono::steady_clock;
   glEnable(GL_SCISSOR_TEST);
   const int minRows = (size_.height() + maxBands - 1) / maxBands;
-  int rows = 2 * minRows;
-  for (int row = 0; row < size_.height();) {
+  const double ofRow = 1e-6 * samples * size_.width();  // ms per ns of a sample
+  int row = 0, rows = 2 * minRows;
+  while (row < size_.height()) {
+    if (sampleNs_ > 0) rows = std::max(minRows, int(std::min(1e6, bandMilliseconds / (sampleNs_ * ofRow))));
+    rows = std::min(rows, size_.height() - row);
     const Clock::time_point start = Clock::now();
     glScissor(0, row, size_.width(), rows);
     resources_->drawFullscreen();
     glFinish();
     row += rows;
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    rows = std::max(minRows, int(rows * std::clamp(bandMilliseconds / std::max(milliseconds, 1e-3), 0.25, 4.0)));
+    const double measured = std::max(milliseconds, 1e-3) / (rows * ofRow);
+    sampleNs_ = sampleNs_ > 0 ? std::clamp(measured, 0.25 * sampleNs_, 4 * sampleNs_) : measured;
+    if (isObsolete && row < size_.height() && isObsolete()) break;
   }
+  glDisable(GL_SCISSOR_TEST);
+  return row;
+}
+
+/// The lower rows have more samples than the others: their sums become those of as many.
+void PreviewRenderer::takeBack(QOpenGLShaderProgram& program, int rows, int samples) {
+  if (samples_ == 0) return;  // the next pass clears it
+  program.setUniformValue("sampleCount", 0);
+  const float share = float(samples_) / float(samples_ + samples);
+  glBlendColor(share, share, share, share);
+  glBlendFunc(GL_ZERO, GL_CONSTANT_COLOR);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, size_.width(), rows);
+  resources_->drawFullscreen();
   glDisable(GL_SCISSOR_TEST);
 }
 

@@ -5,6 +5,7 @@
 #include <QOpenGLFramebufferObject>
 #include <QSize>
 #include <deque>
+#include <functional>
 
 #include "core/rendering/film.h"
 #include "widgets/preview/gl/preview_display.h"
@@ -37,7 +38,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   const PreviewSubject& subject() const { return subject_; }
   /// Sets a scene for which SceneUniforms::canDraw() is true, and the plan of its effects.
   /// @param otherSlotSubjects subjects of the slots after the first; empty or missing ones show the first subject.
-  void setScene(const rendering::Scene& scene, const rendering::EffectPlan& plan,
+  /// @returns whether anything but the subject has changed.
+  bool setScene(const rendering::Scene& scene, const rendering::EffectPlan& plan,
                 const std::vector<PreviewSubject>& otherSlotSubjects = {});
   /// Size of the accumulated picture in pixels.
   void setSize(const QSize& size);
@@ -50,8 +52,11 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   /// Adds `count` samples to every pixel and waits for the result, so that the time can be measured. Draws bands of a
   /// few ms and waits for each, so that other contexts wait for at most one band.
+  /// @param isObsolete asked after each band of a scene with one material: if true, the samples that not all bands have
+  /// are taken back.
+  /// @returns whether all were added.
   /// @throws Error with the compiler's log if a shader does not compile.
-  void accumulate(int count);
+  bool accumulate(int count, const std::function<bool()>& isObsolete = {});
   /// Replaces the picture, and its size, by a path-traced one with its features.
   void showTraced(const rendering::Film& film);
 
@@ -60,6 +65,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// RGBA32F: Film::features. 0 before the first frame.
   GLuint featureTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->textures()[1] : 0; }
   ShownPicture shown() const { return {accumulationTexture(), float(samples_)}; }
+  /// Gives the buffer of both textures away, and restarts.
+  std::unique_ptr<QOpenGLFramebufferObject> takeBuffer();
   /// The mean as linear RGB with coverage in alpha, like the result of renderPicture().
   Image readPicture();
 
@@ -71,14 +78,15 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
     int slots;  ///< bit mask
   };
   std::vector<Pass> passes();
-  void addSamples(const Pass& pass, bool isOnly, int count);
+  bool addSamples(const Pass& pass, bool isOnly, int count, const std::function<bool()>& isObsolete);
   QOpenGLShaderProgram& sceneProgram(const PreviewSubject& subject, bool isOnly);
   void setCameraUniforms(QOpenGLShaderProgram& program);
   void setSampleUniforms(QOpenGLShaderProgram& program, int first, int count);
   void bindTextures(QOpenGLShaderProgram& program);
   void createTarget();
   void prepareTarget(bool isFirstPass);
-  void drawInBands();
+  int drawInBands(int samples, const std::function<bool()>& isObsolete);
+  void takeBack(QOpenGLShaderProgram& program, int rows, int samples);
 
   std::shared_ptr<PreviewResources> resources_;
   SubjectTextures textures_;
@@ -90,6 +98,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   SceneUniforms sceneUniforms_;
   QSize size_{1, 1};
   int samples_ = 0;
+  double sampleNs_ = 0;  ///< of a pixel in the last band; 0: not known yet
 };
 
 }  // namespace gonio::widgets
