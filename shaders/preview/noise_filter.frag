@@ -9,9 +9,11 @@
 //   else      back to premultiplied radiance with the coverage in alpha
 // Between the passes radiance c is c / (1 + luminance): bright samples that few pixels have do not spread.
 // With CHANGE what is filtered is the change from one material to another, both drawn with the same random numbers at a
-// lower resolution; ADD adds it to a picture of the first material, `known`, at its resolution. The change is radiance,
-// and the filter stops at normals only: most of it is in few samples, which a filter that stops at differences loses.
-// Alpha is then the luminance of the first material, else the variance of the luminance.
+// lower resolution. The change is radiance, and the filter stops at normals only: most of it is in few samples, which a
+// filter that stops at differences loses. Alpha is then the luminance of the first material, else the variance of the
+// luminance. In place of VARIANCE and of the last pass:
+//   OUTLIERS  what is far from all neighbours, by chance in one of the pictures, becomes like the last of them
+//   ADD       adds the change to a picture of the first material, `known`, at its resolution
 in vec2 position;
 layout(location = 0) out vec4 result;
 #ifdef PREPARE
@@ -23,10 +25,10 @@ uniform sampler2D filtered;                // the result of the pass before
 uniform sampler2D guide;                   // the normal, and the variance among samples; below 0 where nothing is covered
 uniform float samples;
 #ifdef CHANGE
-uniform sampler2D before, known;
+uniform sampler2D before, known, knownFeatures;
 uniform float knownSamples;
 #endif
-uniform bool usesNeighbours;  // for the variance, of changes and where samples are few
+uniform bool hasFewSamples;  // then the variance is that among neighbours
 uniform ivec2 stride;
 
 const float luminanceWidth = 4.0;  // in standard deviations of the noise
@@ -45,6 +47,11 @@ vec3 compressed(vec4 sum) {
 }
 
 vec3 expanded(vec3 colour) { return colour / max(1e-4, 1.0 - luminance(colour)); }
+
+vec4 guideOf(vec3 normals, float variance) {
+  float squared = dot(normals, normals);
+  return vec4(squared > 0.0 ? normals * inversesqrt(squared) : vec3(0.0), variance);
+}
 
 // Of two guides, 0 where nothing is covered. What has no normal belongs together: the environment.
 float normalWeight(vec4 a, vec4 b) {
@@ -72,29 +79,20 @@ void main() {
 #else
   result = vec4(compressed(sum), 0.0);
 #endif
-  float squared = dot(feature.xyz, feature.xyz);
-  vec3 normal = squared > 0.0 ? feature.xyz * inversesqrt(squared) : vec3(0.0);
-  preparedGuide = vec4(normal, sum.a > 0.0 ? varianceOfSamples(sum, feature.w) : -1.0);
+  preparedGuide = guideOf(feature.xyz, sum.a > 0.0 ? varianceOfSamples(sum, feature.w) : -1.0);
 }
 #elif defined(VARIANCE)
 void main() {
-  vec4 centre = texelFetch(filtered, pixel(), 0), own = texelFetch(guide, pixel(), 0);
-#ifdef CHANGE
-  const int radius = 1;
-#else
-  int radius = usesNeighbours ? 2 : 1;
-#endif
+  vec4 own = texelFetch(guide, pixel(), 0);
+  int radius = hasFewSamples ? 2 : 1;
   float weights = 0.0, variances = 0.0, first = 0.0, second = 0.0;
   for (int y = -radius; y <= radius; ++y)
     for (int x = -radius; x <= radius; ++x) {
-#ifdef CHANGE
-      if (x == 0 && y == 0) continue;
-#endif
       ivec2 at = inside(pixel() + ivec2(x, y));
       vec4 other = texelFetch(guide, at, 0);
       float weight = normalWeight(own, other);
       weights += weight;
-      if (usesNeighbours) {
+      if (hasFewSamples) {
         float l = luminance(texelFetch(filtered, at, 0).rgb);
         first += weight * l;
         second += weight * l * l;
@@ -102,17 +100,30 @@ void main() {
         variances += weight * other.w;
       }
     }
-  float few = weights;
   weights = max(weights, 1e-6);
-  float mean = first / weights, variance = max(0.0, second / weights - mean * mean);
-#ifdef CHANGE
-  // A sample of chance in one of the pictures: what is so far from all neighbours becomes like the last of them.
-  float l = luminance(centre.rgb), most = outlierWidth * sqrt(variance);
-  if (few > 1.0) centre.rgb += clamp(l, mean - most, mean + most) - l;
-  result = centre;
-#else
-  result = vec4(centre.rgb, usesNeighbours ? variance : variances / weights);
-#endif
+  float mean = first / weights;
+  result = vec4(texelFetch(filtered, pixel(), 0).rgb,
+                hasFewSamples ? max(0.0, second / weights - mean * mean) : variances / weights);
+}
+#elif defined(OUTLIERS)
+void main() {
+  result = texelFetch(filtered, pixel(), 0);
+  vec4 own = texelFetch(guide, pixel(), 0);
+  float weights = 0.0;
+  vec3 first = vec3(0.0), second = vec3(0.0);
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      ivec2 at = inside(pixel() + ivec2(x, y));
+      if (at == pixel()) continue;
+      float weight = normalWeight(own, texelFetch(guide, at, 0));
+      vec3 change = texelFetch(filtered, at, 0).rgb;
+      weights += weight;
+      first += weight * change;
+      second += weight * change * change;
+    }
+  if (weights < 1.0) return;
+  vec3 mean = first / weights, most = outlierWidth * sqrt(max(vec3(0.0), second / weights - mean * mean));
+  result.rgb = clamp(result.rgb, mean - most, mean + most);
 }
 #elif defined(LEVEL)
 const float kernel[2] = float[](0.5, 0.25);
@@ -161,26 +172,27 @@ vec3 changed(vec3 radiance, vec3 change, float luminanceAround) {
   return radiance * ratio + share * (change - radiance * (less / l));
 }
 
+// Linear interpolation among what is covered and has about the normal of the pixel.
+vec4 changeAt(vec4 own) {
+  vec2 place = position * vec2(textureSize(filtered, 0)) - 0.5, corner = floor(place), part = place - corner;
+  vec4 sum = vec4(0.0);
+  float weights = 1e-9;
+  for (int i = 0; i < 4; ++i) {
+    vec2 step = vec2(i & 1, i >> 1), near = mix(1.0 - part, part, step);
+    ivec2 at = inside(ivec2(corner + step));
+    vec4 other = texelFetch(guide, at, 0);
+    float weight = other.w < 0.0 ? 0.0 : near.x * near.y * (1e-4 + normalWeight(own, other));
+    sum += weight * texelFetch(filtered, at, 0);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
 void main() {
-  vec4 sum = texelFetch(known, pixel(), 0), change = texture(filtered, position);
+  vec4 sum = texelFetch(known, pixel(), 0), feature = texelFetch(knownFeatures, pixel(), 0);
+  vec4 change = changeAt(guideOf(feature.xyz, 0.0));
   float coverage = sum.a / knownSamples;
   result = vec4(max(vec3(0.0), changed(sum.rgb / max(sum.a, 1e-6), change.rgb, change.a)) * coverage, coverage);
-}
-#elif defined(CHANGE)
-// What is not covered continues its neighbours, for linear interpolation up to the edges of the known picture.
-void main() {
-  result = texelFetch(filtered, pixel(), 0);
-  if (texelFetch(guide, pixel(), 0).w >= 0.0) return;
-  vec4 sum = vec4(0.0);
-  float count = 1e-6;
-  for (int y = -1; y <= 1; ++y)
-    for (int x = -1; x <= 1; ++x) {
-      ivec2 at = inside(pixel() + ivec2(x, y));
-      if (texelFetch(guide, at, 0).w < 0.0) continue;
-      sum += texelFetch(filtered, at, 0);
-      count += 1.0;
-    }
-  result = sum / count;
 }
 #else
 void main() {

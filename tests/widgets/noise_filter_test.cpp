@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/gl/known_picture.h"
+#include "widgets/preview/gl/noise_filter.h"
 
 #include <QTest>
 #include <cmath>

@@ -12,7 +12,7 @@
 
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/film.h"
-#include "widgets/preview/gl/known_picture.h"
+#include "widgets/preview/gl/noise_filter.h"
 #include "widgets/preview/gl/preview_display.h"
 #include "widgets/preview/gl/preview_subject.h"
 

@@ -4,8 +4,6 @@
 
 #include <span>
 
-#include "widgets/preview/gl/known_picture.h"
-
 namespace gonio::widgets {
 
 namespace {
@@ -50,10 +48,11 @@ void NoiseFilter::apply(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resourc
     if (known) {
       bindTexture(gl, program, firstBlendUnit, "before", known->beforeTexture());
       bindTexture(gl, program, firstBlendUnit + 1, "known", known->shown().texture);
+      bindTexture(gl, program, firstBlendUnit + 2, "knownFeatures", known->featureTexture());
       program.setUniformValue("knownSamples", known->shown().samples);
     }
     program.setUniformValue("samples", float(picture.samples()));
-    program.setUniformValue("usesNeighbours", known || isFew);
+    program.setUniformValue("hasFewSamples", isFew);
     gl.glUniform2i(program.uniformLocation("stride"), stride.x(), stride.y());
     target->bind();
     constexpr GLenum outputs[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
@@ -70,17 +69,15 @@ void NoiseFilter::apply(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resourc
   resize(prepared_, picture.size(), 2);
   for (Buffer& target : targets_) resize(target, picture.size());
   pass({"PREPARE"}, prepared_, 0);
-  pass({"VARIANCE"}, targets_[0], prepared_->texture());
+  pass({known ? "OUTLIERS" : "VARIANCE"}, targets_[0], prepared_->texture());
   // The longest would reach over too much of a picture at a quarter of the resolution.
   for (const QPoint stride : std::span(strides).first(known ? 3 : 4)) filter({"LEVEL"}, stride);
   if (isFew) filter({"LEVEL"}, lastStride);
-  filter({});
   if (known) {
-    gl.glBindTexture(GL_TEXTURE_2D, targets_[0]->texture());
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     resize(changed_, known->size());
     pass({"ADD"}, changed_, targets_[0]->texture());
   } else {
+    filter({});
     changed_.reset();
   }
   gl.glFinish();
@@ -93,6 +90,49 @@ ShownPicture NoiseFilter::shown() const {
 
 void NoiseFilter::release() {
   for (Buffer* buffer : {&prepared_, &targets_[0], &targets_[1], &changed_}) buffer->reset();
+}
+
+void KnownPicture::keep(PreviewRenderer& renderer, NoiseFilter* filter) {
+  release();
+  subject_ = renderer.subject();
+  samples_ = renderer.samples();
+  picture_ = renderer.takeBuffer();
+  if (filter) filtered_ = filter->takeBuffer();
+}
+
+void KnownPicture::release() {
+  picture_.reset();
+  filtered_.reset();
+  before_.reset();
+  subject_ = {};
+}
+
+bool KnownPicture::serves(const PreviewSubject& changed, const QSize& size) const {
+  if (!picture_ || picture_->size() != size || subject_.shown.index() != changed.shown.index()) return false;
+  if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown))
+    return edited->base == std::get<EditedMaterial>(changed.shown).base;
+  if (const auto* alone = std::get_if<StandaloneModel>(&subject_.shown))
+    return alone->model == std::get<StandaloneModel>(changed.shown).model;
+  if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown))
+    return blend->mixture == std::get<PreviewBlend>(changed.shown).mixture;
+  return false;
+}
+
+void KnownPicture::drawBefore(PreviewRenderer& renderer, const QSize& size, int samples) {
+  const PreviewSubject changed = renderer.subject();
+  if (before_ && before_->size() == size && samplesBefore_ == samples && subject_.density == changed.density) return;
+  subject_.density = changed.density;
+  renderer.setSubject(subject_);
+  renderer.setSize(size);
+  renderer.accumulate(samples);
+  before_ = renderer.takeBuffer();
+  samplesBefore_ = samples;
+  renderer.setSubject(changed);
+}
+
+ShownPicture KnownPicture::shown() const {
+  if (filtered_) return {filtered_->texture(), 1};
+  return {picture_ ? picture_->texture() : 0, float(samples_)};
 }
 
 }  // namespace gonio::widgets

@@ -65,7 +65,10 @@ bool PreviewRenderer::setScene(const rendering::Scene& scene, const rendering::E
   scene_ = scene;
   otherSlotSubjects_ = otherSlotSubjects;
   sceneUniforms_ = std::move(uniforms);
-  if (!same) restart();
+  if (!same) {
+    restart();
+    rowMs_ = 0;
+  }
   return !same;
 }
 
@@ -78,6 +81,7 @@ void PreviewRenderer::setSize(const QSize& size) {
   if (size == size_ && accumulation_) return;
   size_ = size.expandedTo({1, 1});
   accumulation_.reset();
+  rowMs_ = 0;
   restart();
 }
 
@@ -206,27 +210,31 @@ bool PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count, const
   return rows == size_.height();
 }
 
-/// The time of a band decides how many rows the next one has.
+/// The time of a band decides how many rows the next one has, that of the last pass the rows of the first band.
 /// @returns the number of rows drawn.
 int PreviewRenderer::drawInBands(int samples, const std::function<bool()>& isObsolete) {
   using Clock = std::chrono::steady_clock;
   glEnable(GL_SCISSOR_TEST);
   const int minRows = (size_.height() + maxBands - 1) / maxBands;
-  const double ofRow = 1e-6 * samples * size_.width();  // ms per ns of a sample
-  int row = 0, rows = 2 * minRows;
+  const auto milliseconds = [](Clock::time_point since) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+  };
+  const auto rowsLike = [&](double rows, double taken) {
+    return std::clamp(int(rows * bandMilliseconds / std::max(taken, 1e-3)), minRows, size_.height());
+  };
+  int row = 0, rows = rowMs_ > 0 ? rowsLike(1, rowMs_ * samples) : 2 * minRows;
+  const Clock::time_point first = Clock::now();
   while (row < size_.height()) {
-    if (sampleNs_ > 0) rows = std::max(minRows, int(std::min(1e6, bandMilliseconds / (sampleNs_ * ofRow))));
     rows = std::min(rows, size_.height() - row);
     const Clock::time_point start = Clock::now();
     glScissor(0, row, size_.width(), rows);
     resources_->drawFullscreen();
     glFinish();
     row += rows;
-    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    const double measured = std::max(milliseconds, 1e-3) / (rows * ofRow);
-    sampleNs_ = sampleNs_ > 0 ? std::clamp(measured, 0.25 * sampleNs_, 4 * sampleNs_) : measured;
+    rows = std::min(4 * rows, rowsLike(rows, milliseconds(start)));
     if (isObsolete && row < size_.height() && isObsolete()) break;
   }
+  rowMs_ = milliseconds(first) / (row * samples);
   glDisable(GL_SCISSOR_TEST);
   return row;
 }

@@ -98,7 +98,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   SceneUniforms sceneUniforms_;
   QSize size_{1, 1};
   int samples_ = 0;
-  double sampleNs_ = 0;  ///< of a pixel in the last band; 0: not known yet
+  double rowMs_ = 0;  ///< of a row and sample in the last pass at this size; 0: not known yet
 };
 
 }  // namespace gonio::widgets
