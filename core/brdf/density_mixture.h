@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/brdf/brdf.h"
+#include "core/math/fast_functions.h"
 
 /// Densities of directions for importance sampling. A density is a small value with
 ///   Direction sample(const Direction& wo, const glm::dvec2& u) const;  // u in [0, 1)^2; any point of the sphere, or
@@ -22,8 +23,9 @@ namespace gonio {
 /// Cosine-weighted directions: for matte materials.
 struct CosineDensity {
   Direction sample(const Direction&, const glm::dvec2& u) const {
-    const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
-    return {r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u.x)};
+    const double r = std::sqrt(u.x);
+    const auto turn = fastSineAndCosine(u.y);
+    return {r * turn.cosine, r * turn.sine, std::sqrt(1 - u.x)};
   }
   double density(const Direction& w, const Direction&) const { return std::max(0.0, w.z) / pi; }
 };

@@ -19,26 +19,42 @@ constexpr double incidenceTolerance = 1e-9;
 
 using Axis = IncidenceTable::Axis;
 
-/// An axis with the directions of azimuth 0 and a quarter turn, for a light at azimuth 0.
-struct Frame {
-  Direction axis, zero, quarter{0, 1, 0};
+using Angle = SineAndCosine;
 
-  Frame(Axis kind, double thetaI) : axis(0, 0, 1), zero(1, 0, 0) {
-    if (kind == Axis::normal) return;
-    axis = {-std::sin(thetaI), 0, std::cos(thetaI)};
-    zero = {std::cos(thetaI), 0, std::sin(thetaI)};
+Angle angleOf(double radians) { return {std::sin(radians), std::cos(radians)}; }
+
+/// Angles about an axis. Sines and cosines come from the components of directions, which is faster than from the
+/// angles.
+struct Place {
+  Angle polar, azimuth;
+
+  double polarAngle() const { return fastAtan2(polar.sine, polar.cosine); }
+  double azimuthAngle() const { return fastAtan2(azimuth.sine, azimuth.cosine); }
+};
+
+/// The axis of a table for a light at azimuth 0; azimuth 0 about it is in the plane of incidence.
+struct Frame {
+  Angle axis{0, 1};  ///< polar angle; the axis is opposite to the light
+
+  Frame(Axis kind, const Angle& light) {
+    if (kind == Axis::mirror) axis = light;
   }
-  Direction direction(double polar, double azimuth) const {
-    return std::cos(polar) * axis + std::sin(polar) * (std::cos(azimuth) * zero + std::sin(azimuth) * quarter);
+  Direction direction(const Place& at) const {
+    const double along = at.polar.cosine, zero = at.polar.sine * at.azimuth.cosine;
+    return {axis.cosine * zero - axis.sine * along, at.polar.sine * at.azimuth.sine,
+            axis.sine * zero + axis.cosine * along};
   }
-  /// By atan2: accurate about the axis.
-  double polar(const Direction& w) const { return std::atan2(glm::length(glm::cross(axis, w)), glm::dot(axis, w)); }
-  double azimuth(const Direction& w) const { return std::atan2(glm::dot(w, quarter), glm::dot(w, zero)); }
+  Place place(const Direction& w) const {
+    const double zero = axis.cosine * w.x + axis.sine * w.z, along = axis.cosine * w.z - axis.sine * w.x;
+    const double across = std::sqrt(zero * zero + w.y * w.y);
+    return {{across, along}, across > 0 ? Angle{w.y / across, zero / across} : Angle{0, 1}};
+  }
 };
 
 /// The angle from the mirror direction at which the horizon is, at an azimuth about it; lower ones are above it.
-double horizonPolar(double thetaI, double azimuth) {
-  return std::atan2(std::cos(thetaI), -std::sin(thetaI) * std::cos(azimuth));
+Angle horizonOf(const Angle& light, const Angle& azimuth) {
+  const double along = -light.sine * azimuth.cosine, size = std::sqrt(along * along + light.cosine * light.cosine);
+  return size > 0 ? Angle{light.cosine / size, along / size} : Angle{0, 1};
 }
 
 /// A place between two nodes.
@@ -114,10 +130,10 @@ std::vector<std::uint8_t> nodesAboveHorizon(const IncidenceTable& table) {
   std::vector<std::uint8_t> result;
   result.reserve(table.values.size());
   for (std::size_t light = 0; light < table.rotations.size() * table.incident.size(); ++light) {
-    const Frame frame(table.axis, table.incident[light % table.incident.size()]);
+    const Frame frame(table.axis, angleOf(table.incident[light % table.incident.size()]));
     for (const double azimuth : table.azimuths)
       for (const double polar : table.polars)
-        result.push_back(frame.direction(polar, azimuth).z >= -incidenceTolerance);
+        result.push_back(frame.direction({angleOf(polar), angleOf(azimuth)}).z >= -incidenceTolerance);
   }
   return result;
 }
@@ -135,6 +151,7 @@ IncidenceTableBrdf::IncidenceTableBrdf(IncidenceTable table) : table_(std::move(
   clampedCount_ = cutNegative(table_.values);
   uniteAxis(table_);
   aboveHorizon_ = nodesAboveHorizon(table_);
+  for (const double incident : table_.incident) incident_.push_back(angleOf(incident));
 }
 
 IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t light, double polar, double azimuth) const {
@@ -160,36 +177,35 @@ IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t light, doubl
   return result;
 }
 
-/// What is seen of the highlight under an angle of incidence, at angles about the mirror direction.
-/// @param light index of its azimuth and polar angle.
-IncidenceTableBrdf::Weighted IncidenceTableBrdf::seenAt(std::size_t light, double polar, double turn) const {
-  if (table_.axis == Axis::mirror) return lookup(light, polar, turn);
-  const Direction seen = Frame(Axis::mirror, table_.incident[light % table_.incident.size()]).direction(polar, turn);
-  const Frame normal(Axis::normal, 0);
-  return lookup(light, normal.polar(seen), normal.azimuth(seen));
-}
-
 Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
-  const double thetaI = polarAngle(pair.wi), phiI = azimuth(pair.wi);
-  const Direction wo = AzimuthRotation(-phiI)(pair.wo);
-  const Frame mirror(Axis::mirror, thetaI);
-  const double polar = mirror.polar(wo), turn = mirror.azimuth(wo);
-  const IncidenceBracket bracket = bracketOf(table_.incident, thetaI), about = circleBracket(table_.rotations, phiI);
+  const double thetaI = polarAngle(pair.wi);
+  const Angle light{std::sqrt(pair.wi.x * pair.wi.x + pair.wi.y * pair.wi.y), pair.wi.z};
+  const Place seen = Frame(Axis::mirror, light).place(AzimuthRotation::toZero(pair.wi)(pair.wo));
+  const IncidenceBracket bracket = bracketOf(table_.incident, thetaI),
+                         about = circleBracket(table_.rotations, isIsotropic() ? 0 : azimuth(pair.wi));
   Weighted result;
   for (const auto& [incident, fraction] :
-       {std::pair(bracket.below, 1 - bracket.fraction), {bracket.above, bracket.fraction}})
-    for (const auto& [rotation, weight] :
-         {std::pair(about.below, fraction * (1 - about.fraction)), {about.above, fraction * about.fraction}}) {
+       {std::pair(bracket.below, 1 - bracket.fraction), {bracket.above, bracket.fraction}}) {
+    if (!(fraction > 0)) continue;
+    const Angle horizon = horizonOf(incident_[incident], seen.azimuth);
+    // The sine of the angle beyond the horizon, which is small where it decides.
+    const double beyond = seen.polar.sine * horizon.cosine - seen.polar.cosine * horizon.sine;
+    // Between two angles of incidence one of them has the direction above its horizon.
+    if (bracket.below != bracket.above && beyond > incidenceTolerance) continue;
+    // What is seen of the highlight under this angle of incidence, at the same angles about the mirror direction.
+    Place place{beyond > 0 ? horizon : seen.polar, seen.azimuth};
+    if (table_.axis == Axis::normal)
+      place = Frame(Axis::normal, {}).place(Frame(Axis::mirror, incident_[incident]).direction(place));
+    const double polar = place.polarAngle(), turn = place.azimuthAngle();
+    for (const auto& [rotation, part] : {std::pair(about.below, 1 - about.fraction), {about.above, about.fraction}}) {
+      const double weight = fraction * part;
       if (!(weight > 0)) continue;
-      const double horizon = horizonPolar(table_.incident[incident], turn);
-      // Between two angles of incidence one of them has the direction above its horizon.
-      const bool isBeyond = bracket.below == bracket.above;
-      if (!isBeyond && polar > horizon + incidenceTolerance) continue;
-      const Weighted found = seenAt(rotation * table_.incident.size() + incident, std::min(polar, horizon), turn);
+      const Weighted found = lookup(rotation * table_.incident.size() + incident, polar, turn);
       if (!(found.weight > 0)) continue;
       result.sum += weight * found.sum / found.weight;
       result.weight += weight;
     }
+  }
   return result.weight > 0 ? result.sum / result.weight : Rgb(0);
 }
 
@@ -259,8 +275,8 @@ bool IncidenceTableBrdf::hasData(const DirectionPair& pair) const {
     return angle >= nodes.front() - incidenceTolerance && angle <= nodes.back() + incidenceTolerance;
   };
   const double thetaI = polarAngle(pair.wi);
-  const Direction wo = AzimuthRotation(-azimuth(pair.wi))(pair.wo);
-  return isWithin(thetaI, table_.incident) && isWithin(Frame(table_.axis, thetaI).polar(wo), table_.polars);
+  const Place seen = Frame(table_.axis, angleOf(thetaI)).place(AzimuthRotation::toZero(pair.wi)(pair.wo));
+  return isWithin(thetaI, table_.incident) && isWithin(seen.polarAngle(), table_.polars);
 }
 
 }  // namespace gonio

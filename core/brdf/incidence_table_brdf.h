@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/brdf/brdf.h"
+#include "core/math/fast_functions.h"
 
 namespace gonio {
 
@@ -34,7 +35,7 @@ struct IncidenceTable {
 /// their mean. Beyond the first and last angle of incidence or polar angle the value is constant and hasData() is
 /// false; directions that are below the horizon at that angle of incidence have the value at its horizon, at the same
 /// azimuth about the mirror direction. Azimuths wrap around; in a symmetric table the value is constant beyond the
-/// first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.3 us per pair.
+/// first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.1 us per pair.
 class IncidenceTableBrdf final : public Brdf {
  public:
   /// Negative values become 0 (clampedCount()). @throws Error if angles are out of range or not ascending, the number
@@ -58,11 +59,11 @@ class IncidenceTableBrdf final : public Brdf {
  private:
   struct Weighted;
   Weighted lookup(std::size_t light, double polar, double azimuth) const;
-  Weighted seenAt(std::size_t light, double polar, double turn) const;
   Rgb value(const DirectionPair& pair) const;
 
   IncidenceTable table_;
   std::vector<std::uint8_t> aboveHorizon_;  ///< of each node
+  std::vector<SineAndCosine> incident_;     ///< of the angles of incidence
   std::size_t clampedCount_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/brdf/value_bound.h"
+#include "core/math/fast_functions.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -32,11 +33,11 @@ std::array<float, size> rectified(std::array<float, size> values) {
 }  // namespace
 
 std::array<float, NeuralBrdf::inputs> NeuralBrdf::inputsAt(const HalfDifference& at) {
-  const double phi = foldPhiD(at.phiD);
-  const double across = std::sin(at.thetaD);
-  return {float(std::sin(at.thetaH)),    0,
-          float(std::cos(at.thetaH)),    float(across * std::cos(phi)),
-          float(across * std::sin(phi)), float(std::cos(at.thetaD))};
+  constexpr double perTurn = 1 / (2 * pi);
+  const auto thetaH = fastSineAndCosine(at.thetaH * perTurn), thetaD = fastSineAndCosine(at.thetaD * perTurn),
+             phi = fastSineAndCosine(foldPhiD(at.phiD) * perTurn);
+  return {float(thetaH.sine),  0, float(thetaH.cosine), float(thetaD.sine * phi.cosine), float(thetaD.sine * phi.sine),
+          float(thetaD.cosine)};
 }
 
 NeuralBrdf::NeuralBrdf(std::span<const float> weights) {
@@ -203,7 +204,7 @@ void NeuralBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> v
     const auto second = rectified(layer<hidden, hidden>(weights, first));
     const auto result = layer<hidden, outputs>(weights, second);
     for (int c = 0; c < 3; ++c)
-      values[i][c] = std::max(0.0f, std::expm1(std::min(result[std::size_t(c)], maxExponent)));
+      values[i][c] = std::max(0.0, fastExpm1(std::clamp(result[std::size_t(c)], 0.0f, maxExponent)));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "core/io/byte_source.h"
 #include "core/io/text_lines.h"
 #include "core/math/colour.h"
+#include "core/math/fast_functions.h"
 #include "core/support/text.h"
 
 /// BSDF files of Radiance and WINDOW (LBNL), `.xml`: matrices over the patches of a Klems basis (full, half or quarter:
@@ -106,8 +107,8 @@ class KlemsBrdf final : public Brdf {
 
 /// The unit square of a point of the unit disk (Shirley and Chiu 1997, "A Low Distortion Map Between Disk and Square").
 glm::dvec2 squareOf(double x, double y) {
-  const double radius = std::min(std::hypot(x, y), 1.0);
-  double phi = std::atan2(y, x);
+  const double radius = std::min(std::sqrt(x * x + y * y), 1.0);
+  double phi = fastAtan2(y, x);
   if (phi < -pi / 4) phi += 2 * pi;
   const auto quarter = std::min<std::size_t>(std::size_t((phi + pi / 4) / (pi / 2)), 3);
   const double across = (phi - double(quarter) * pi / 2) * radius / (pi / 4);
@@ -240,10 +241,10 @@ class TensorTreeBrdf final : public Brdf {
   double value(const DirectionPair& pair) const {
     const auto& [wi, wo] = pair;
     if (tree_.rank == 3) {
-      const Direction turned = AzimuthRotation(-azimuth({-wi.x, -wi.y, wi.z}))(wo);
+      const Direction turned = AzimuthRotation::toZero({-wi.x, -wi.y, wi.z})(wo);
       const glm::dvec2 outgoing = squareOf(turned.x, turned.y);
       // The light at the normal belongs to the lower half, as in Radiance.
-      const double incident = std::nextafter(0.5, 0.0) - 0.5 * std::hypot(wi.x, wi.y);
+      const double incident = std::nextafter(0.5, 0.0) - 0.5 * std::sqrt(wi.x * wi.x + wi.y * wi.y);
       return tree_.at({incident, outgoing.x, outgoing.y, 0});
     }
     const glm::dvec2 incident = squareOf(-wi.x, -wi.y), outgoing = squareOf(wo.x, wo.y);

@@ -139,4 +139,40 @@ inline double fastAtan2(double y, double x) {
   return std::copysign(angle, y);
 }
 
+struct SineAndCosine {
+  double sine, cosine;
+};
+
+/// Sine and cosine of 2 pi `turns`, |turns| < 1e6, without branches and calls, so that loops are vectorised: absolute
+/// error below 4e-16. Quarter turns are exact. The rest of the nearest quarter turn is at most pi/4, for which Taylor
+/// polynomials of degree 15 and 16 have errors below 1e-16.
+[[gnu::always_inline]] inline SineAndCosine fastSineAndCosine(double turns) {
+  constexpr double shift = 0x1.8p52;  // adding it rounds to an integer, which is then in the last bits
+  const double shifted = 4 * turns + shift;
+  const std::uint64_t quarter = std::bit_cast<std::uint64_t>(shifted);
+  const double x = (4 * turns - (shifted - shift)) * (std::numbers::pi / 2), z = x * x;
+  double s = -1.0 / 1307674368000;
+  s = s * z + 1.0 / 6227020800;
+  s = s * z - 1.0 / 39916800;
+  s = s * z + 1.0 / 362880;
+  s = s * z - 1.0 / 5040;
+  s = s * z + 1.0 / 120;
+  s = s * z - 1.0 / 6;
+  double c = 1.0 / 20922789888000;
+  c = c * z - 1.0 / 87178291200;
+  c = c * z + 1.0 / 479001600;
+  c = c * z - 1.0 / 3628800;
+  c = c * z + 1.0 / 40320;
+  c = c * z - 1.0 / 720;
+  c = c * z + 1.0 / 24;
+  const double sine = x + x * (z * s), cosine = 1 - z * (0.5 - z * c);
+  const bool isOdd = (quarter & 1) != 0;
+  const double across = isOdd ? cosine : sine, along = isOdd ? sine : cosine;
+  // The sine is negative in the quadrants 2 and 3, the cosine in 1 and 2.
+  const auto flipped = [](double value, std::uint64_t quadrants) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) ^ ((quadrants & 2) << 62));
+  };
+  return {flipped(across, quarter), flipped(along, quarter + 1)};
+}
+
 }  // namespace gonio

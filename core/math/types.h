@@ -53,7 +53,12 @@ double azimuth(const Direction& w);
 class AzimuthRotation {
  public:
   /// @param angle rad, counter-clockwise seen from above.
-  explicit AzimuthRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)), minusS_(-s_) {}
+  explicit AzimuthRotation(double angle) : AzimuthRotation(std::cos(angle), std::sin(angle)) {}
+  /// The rotation that turns a direction to azimuth 0; none at the pole.
+  static AzimuthRotation toZero(const Direction& w) {
+    const double across = std::sqrt(w.x * w.x + w.y * w.y);
+    return across > 0 ? AzimuthRotation(w.x / across, -w.y / across) : AzimuthRotation(1, 0);
+  }
 
   // Two sums, not a difference and a sum: despite -ffp-contract=off, GCC 12 fuses the latter in some of the functions
   // where it is inlined, and results would differ in the last bit.
@@ -61,6 +66,8 @@ class AzimuthRotation {
   DirectionPair operator()(const DirectionPair& pair) const { return {(*this)(pair.wi), (*this)(pair.wo)}; }
 
  private:
+  AzimuthRotation(double c, double s) : c_(c), s_(s), minusS_(-s) {}
+
   double c_, s_, minusS_;
 };
 

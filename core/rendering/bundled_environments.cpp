@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <mutex>
 
+#include "core/math/fast_functions.h"
 #include "core/math/parallel.h"
 #include "core/rendering/environment.h"
 #include "core/support/error.h"
@@ -29,18 +30,20 @@ struct SoftBox {
   double falloff;                ///< width of the soft edge, inward
   double hotSpot;                ///< how much brighter the middle is than the rim, as a fraction of `radiance`
   Rgb radiance;
+  Direction axis = glm::normalize(toward), right = glm::normalize(glm::cross(axis, Direction{0, 1, 0})),
+            up = glm::cross(right, axis);
 
   Rgb operator()(const Direction& w) const {
-    const Direction axis = glm::normalize(toward);
     const double along = glm::dot(w, axis);
     if (along <= 0) return Rgb(0);
-    const Direction right = glm::normalize(glm::cross(axis, Direction{0, 1, 0}));
-    const Direction up = glm::cross(right, axis);
     const double x = glm::dot(w, right) / along, y = glm::dot(w, up) / along;
     const double dx = std::abs(x) - (halfWidth - corner), dy = std::abs(y) - (halfHeight - corner);
-    const double outside = std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) + std::min(std::max(dx, dy), 0.0) - corner;
+    const double beyond = std::max(dx, dy) - corner;
+    if (beyond >= 0) return Rgb(0);
+    const double beyondX = std::max(dx, 0.0), beyondY = std::max(dy, 0.0);
+    const double outside = std::sqrt(beyondX * beyondX + beyondY * beyondY) + std::min(std::max(dx, dy), 0.0) - corner;
     const double r2 = (x * x) / (halfWidth * halfWidth) + (y * y) / (halfHeight * halfHeight);
-    return radiance * (smoothRise(0, falloff, -outside) * (1 - hotSpot + hotSpot * std::exp(-1.5 * r2)));
+    return radiance * (smoothRise(0, falloff, -outside) * (1 - hotSpot + hotSpot * fastExp(-1.5 * r2)));
   }
 };
 
@@ -48,7 +51,7 @@ struct SoftBox {
 Rgb studioRoom(const Direction& w) {
   const double wall = glm::mix(0.030, 0.060, smoothRise(-0.1, 0.9, w.y));
   const double floor = glm::mix(0.020, 0.085, smoothRise(-1.0, -0.02, w.y));
-  const double glow = 0.05 * std::exp(-40 * (w.y + 0.12) * (w.y + 0.12));
+  const double glow = 0.05 * fastExp(-40 * (w.y + 0.12) * (w.y + 0.12));
   return (glm::mix(floor, wall, smoothRise(-0.05, 0.03, w.y)) + glow) * Rgb(0.98, 0.99, 1.03);
 }
 
@@ -116,17 +119,21 @@ Rgb sunsetRadiance(const Direction& w) {
 
 /// A dim room with a tall window of four panes in front on the left and a warm lamp behind on the right.
 Rgb windowRadiance(const Direction& w) {
-  static const double across = 0.30, upward = 0.40, bar = 0.03;
+  static const std::array<SoftBox, 4> panes = [] {
+    constexpr double across = 0.30, upward = 0.40, bar = 0.03;
+    constexpr Direction middle{-0.72, 0.34, 0.72}, right{0.707, 0, 0.707}, up{0, 1, 0};
+    const auto pane = [&](double x, double y) {
+      const Direction toward = middle + x * (across / 2 + bar) * right + y * (upward / 2 + bar) * up;
+      return SoftBox{toward, across / 2, upward / 2, 0.01, 0.01, 0.1, Rgb(13.5, 15.5, 18.5)};
+    };
+    return std::array{pane(-1, -1), pane(-1, 1), pane(1, -1), pane(1, 1)};
+  }();
+  static const SoftBox lamp{{0.80, 0.42, -0.45}, 0.13, 0.15, 0.1, 0.12, 0.6, Rgb(11.0, 6.8, 3.2)};
   const Rgb wall = glm::mix(Rgb(0.055, 0.050, 0.045), Rgb(0.11, 0.105, 0.10), smoothRise(-0.6, 0.9, w.y));
   const Rgb floor = glm::mix(Rgb(0.05, 0.035, 0.025), Rgb(0.13, 0.095, 0.065), smoothRise(-1, -0.15, w.y));
   Rgb sum = glm::mix(floor, wall, smoothRise(-0.12, -0.06, w.y));
-  for (const double x : {-1.0, 1.0})
-    for (const double y : {-1.0, 1.0}) {
-      const Direction middle{-0.72, 0.34, 0.72}, right{0.707, 0, 0.707}, up{0, 1, 0};
-      const Direction pane = middle + x * (across / 2 + bar) * right + y * (upward / 2 + bar) * up;
-      sum += SoftBox{pane, across / 2, upward / 2, 0.01, 0.01, 0.1, Rgb(13.5, 15.5, 18.5)}(w);
-    }
-  sum += SoftBox{{0.80, 0.42, -0.45}, 0.13, 0.15, 0.1, 0.12, 0.6, Rgb(11.0, 6.8, 3.2)}(w);
+  for (const SoftBox& pane : panes) sum += pane(w);
+  sum += lamp(w);
   return sum;
 }
 

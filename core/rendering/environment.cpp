@@ -54,8 +54,8 @@ EnvironmentMap::EnvironmentMap(Image radiance, std::string name, std::vector<std
 }
 
 Direction EnvironmentMap::directionAt(double u, double v) {
-  const double theta = pi * v, a = 2 * pi * (u - 0.5), s = std::sin(theta);
-  return {s * std::sin(a), std::cos(theta), -s * std::cos(a)};
+  const auto theta = fastSineAndCosine(v / 2), a = fastSineAndCosine(u - 0.5);
+  return {theta.sine * a.sine, theta.cosine, -theta.sine * a.cosine};
 }
 
 glm::dvec2 EnvironmentMap::positionOf(const Direction& world) {
@@ -94,9 +94,9 @@ EnvironmentMap::Sample EnvironmentMap::atAbove(const Direction& normal, const Di
 namespace {
 
 Direction directionOf(const EnvironmentDensity::Sample& sample) {
-  const double a = 2 * pi * (sample.u - 0.5), cosTheta = sample.cosTheta;
-  const double sinTheta = std::sqrt(std::max(0.0, (1 - cosTheta) * (1 + cosTheta)));
-  return {sinTheta * std::sin(a), cosTheta, -sinTheta * std::cos(a)};
+  const double cosTheta = sample.cosTheta, sinTheta = std::sqrt(std::max(0.0, (1 - cosTheta) * (1 + cosTheta)));
+  const auto a = fastSineAndCosine(sample.u - 0.5);
+  return {sinTheta * a.sine, cosTheta, -sinTheta * a.cosine};
 }
 
 }  // namespace

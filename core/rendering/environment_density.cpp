@@ -78,17 +78,20 @@ std::vector<std::uint8_t> partOf(std::span<const std::size_t> starts) {
   return parts;
 }
 
-/// The last of `count` indices with integral(index) <= sought; the first if there is none. A binary search without
-/// branches: they would be as random as the number sought.
+/// The last of `count` indices with integral(index) <= sought, where the integral does not decrease; the first if there
+/// is none. Without branches, which would be as random as the number sought; a few values are compared together.
 template <typename Integral>
 std::size_t lastStart(std::size_t count, double sought, const Integral& integral) {
+  constexpr std::size_t few = 32;
   std::size_t first = 0;
-  while (count > 1) {
+  while (count > few) {
     const std::size_t half = count / 2;
     first = integral(first + half) <= sought ? first + half : first;
     count -= half;
   }
-  return first;
+  std::size_t starts = 0;
+  for (std::size_t i = 1; i < count; ++i) starts += integral(first + i) <= sought;
+  return first + starts;
 }
 
 }  // namespace
@@ -226,6 +229,7 @@ void EnvironmentDensity::buildTables() {
     // Empty cells at the end have no interval, whatever the rounding.
     std::fill(cumulative + end, cumulative + entries, 1.f);
     cumulative[0] = 0;
+    for (std::size_t row = 0; row < cellRows(); ++row) rowStarts_.push_back(cumulative[row * cellColumns()]);
   }
 }
 
@@ -246,8 +250,9 @@ double EnvironmentDensity::density(Table table, const glm::dvec2& position, doub
 
 EnvironmentDensity::Sample EnvironmentDensity::sample(Table table, const glm::dvec2& u) const {
   const float* const cumulative = &cumulative_[table * (cells_.size() + 1)];
-  const std::size_t columns = cellColumns();
-  const std::size_t cellRow = lastStart(cellRows(), u.x, [&](std::size_t row) { return cumulative[row * columns]; });
+  const std::size_t columns = cellColumns(), rows = cellRows();
+  const float* const starts = &rowStarts_[table * rows];
+  const std::size_t cellRow = lastStart(rows, u.x, [&](std::size_t row) { return starts[row]; });
   const float* const inRow = cumulative + cellRow * columns;
   const double rowStart = inRow[0], rowMass = inRow[columns] - rowStart, soughtCell = rowStart + u.y * rowMass;
   const std::size_t cellColumn = lastStart(columns, soughtCell, [&](std::size_t column) { return inRow[column]; });

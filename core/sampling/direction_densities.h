@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/fast_functions.h"
 #include "core/math/types.h"
 
 /// Densities (core/brdf/density_mixture.h) that draw directions themselves, not the half vectors of
@@ -21,11 +22,12 @@ struct CosinePowerDensity {
   Direction sample(const Direction& wo, const glm::dvec2& u) const {
     const Direction a = axis(wo);
     const double oneMinusCos = -std::expm1(std::log1p(-u.x) / (exponent + 1));
-    const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos)), phi = 2 * pi * u.y;
+    const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos));
+    const auto turn = fastSineAndCosine(u.y);
     // An orthonormal basis about the axis without branches: Duff et al. 2017.
     const double sign = std::copysign(1.0, a.z), p = -1 / (sign + a.z), q = a.x * a.y * p;
     const Direction s(1 + sign * a.x * a.x * p, sign * q, -sign * a.x), t(q, sign + a.y * a.y * p, -a.y);
-    return sine * std::cos(phi) * s + sine * std::sin(phi) * t + (1 - oneMinusCos) * a;
+    return sine * turn.cosine * s + sine * turn.sine * t + (1 - oneMinusCos) * a;
   }
   double density(const Direction& w, const Direction& wo) const {
     const Direction apart = w - axis(wo);
@@ -53,8 +55,9 @@ struct DiskDensity {
   Radial radial;
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const {
-    const double r = radial.sample(u.x), phi = 2 * pi * u.y;
-    glm::dvec2 x(r * std::cos(phi) - wo.x, r * std::sin(phi) - wo.y);
+    const double r = radial.sample(u.x);
+    const auto turn = fastSineAndCosine(u.y);
+    glm::dvec2 x(r * turn.cosine - wo.x, r * turn.sine - wo.y);
     const double squared = glm::dot(x, x);
     if (squared > 1) x /= squared;
     return {x.x, x.y, std::sqrt(std::max(0.0, 1 - glm::dot(x, x)))};
@@ -128,8 +131,9 @@ struct RimPowerDensity {
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const {
     // A uniformly sampled point has the right azimuth and a uniform squared fraction; only the fraction is changed.
-    const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
-    glm::dvec2 deviation = glm::dvec2(r * std::cos(phi), r * std::sin(phi)) + glm::dvec2(wo);
+    const double r = std::sqrt(u.x);
+    const auto turn = fastSineAndCosine(u.y);
+    glm::dvec2 deviation = r * glm::dvec2(turn.cosine, turn.sine) + glm::dvec2(wo);
     const double uniformFraction = squaredRimFraction(deviation, wo);
     if (uniformFraction > 0)
       deviation *= std::sqrt(-std::expm1(std::log1p(-uniformFraction) / (exponent + 1)) / uniformFraction);

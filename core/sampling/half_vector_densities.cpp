@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/fast_functions.h"
 #include "core/math/sampling.h"
 
 namespace gonio {
@@ -122,8 +123,9 @@ Direction TabulatedNormals::sample(const glm::dvec2& u) const {
   const double width = x[ring + 1] - x[ring];
   const double area = std::max(0.0, u.x - cumulative_[ring]) / (2 * pi * width);
   const double oneMinusCos = x[ring] + inverseOfRamp(density_[ring], density_[ring + 1], area) * width;
-  const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos)), phi = 2 * pi * u.y;
-  return {sine * std::cos(phi), sine * std::sin(phi), 1 - oneMinusCos};
+  const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos));
+  const auto turn = fastSineAndCosine(u.y);
+  return {sine * turn.cosine, sine * turn.sine, 1 - oneMinusCos};
 }
 
 double TabulatedNormals::density(const Direction& h) const {
@@ -154,10 +156,11 @@ Direction VisibleNormalDensity::sample(const Direction& wo, const glm::dvec2& u)
   const double across = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
   const Direction tangent = across > 0 ? Direction{-stretched.y / across, stretched.x / across, 0} : Direction{1, 0, 0};
   const Direction bitangent = glm::cross(stretched, tangent);
-  const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
+  const double r = std::sqrt(u.x);
+  const auto turn = fastSineAndCosine(u.y);
   const double s = (1 + stretched.z) / 2;
-  const double x = r * std::cos(phi);
-  const double y = (1 - s) * std::sqrt(1 - x * x) + s * r * std::sin(phi);
+  const double x = r * turn.cosine;
+  const double y = (1 - s) * std::sqrt(1 - x * x) + s * r * turn.sine;
   const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
   const Direction n = x * tangent + y * bitangent + z * stretched;
   const Direction h = glm::normalize(Direction{alphaX * n.x, alphaY * n.y, std::max(0.0, n.z)});

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/coordinates/half_difference.h"
+#include "core/math/fast_functions.h"
 
 /// Densities (core/brdf/density_mixture.h) that draw half vectors, the normals of microfacets, and reflect the viewer
 /// about them. alphaX and alphaY are the roughness along x and y.
@@ -43,8 +44,9 @@ struct BeckmannNormals {
   double alphaX, alphaY;
 
   Direction sample(const glm::dvec2& u) const {
-    const double phi = 2 * pi * u.y, radius = std::sqrt(-std::log1p(-u.x));
-    const double x = alphaX * radius * std::cos(phi), y = alphaY * radius * std::sin(phi);
+    const double radius = std::sqrt(-std::log1p(-u.x));
+    const auto turn = fastSineAndCosine(u.y);
+    const double x = alphaX * radius * turn.cosine, y = alphaY * radius * turn.sine;
     return glm::normalize(Direction(x, y, 1));
   }
   double density(const Direction& h) const {
@@ -61,10 +63,10 @@ struct CosinePowerNormals {
   double exponentX, exponentY;
 
   Direction sample(const glm::dvec2& u) const {
-    // atan2 selects the quadrant, for which the published formula needs a case distinction.
-    const double phi = std::atan2(std::sqrt(exponentX + 1) * std::sin(2 * pi * u.y),
-                                  std::sqrt(exponentY + 1) * std::cos(2 * pi * u.y));
-    const double c = std::cos(phi), s = std::sin(phi);
+    // The direction of this vector is in the right quadrant, for which the published formula needs a case distinction.
+    const auto turn = fastSineAndCosine(u.y);
+    const double x = std::sqrt(exponentY + 1) * turn.cosine, y = std::sqrt(exponentX + 1) * turn.sine;
+    const double length = std::sqrt(x * x + y * y), c = x / length, s = y / length;
     const double exponent = exponentX * c * c + exponentY * s * s;
     const double oneMinusCos = -std::expm1(std::log1p(-u.x) / (exponent + 1));
     const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos));

@@ -40,7 +40,8 @@ glm::dvec2 toDensitySquare(const Direction& half, const glm::dvec2& axis) {
 
 Direction fromDensitySquare(const glm::dvec2& square, const glm::dvec2& axis) {
   const double squared = square.x * square.x, t = squared * squared, scale = 1 / (1 + t * t);
-  const double phi = 2 * pi * square.y - pi, c = std::cos(phi), s = std::sin(phi), sine = 2 * t * scale;
+  const double sine = 2 * t * scale;
+  const auto [s, c] = fastSineAndCosine(square.y - 0.5);
   return {sine * (axis.x * c - axis.y * s), sine * (axis.y * c + axis.x * s), (1 - t * t) * scale};
 }
 

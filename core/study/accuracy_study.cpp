@@ -37,8 +37,8 @@ double frameMilliseconds(double enoughSeconds, const std::function<void()>& rend
   return quantile(std::move(frames), 0.5);
 }
 
-/// For frames: of a study, and of a single act, which a user waits for.
-constexpr double enoughForStudy = 1, enoughForAct = 0.25;
+/// For frames: of a study, and of a single act, which a user waits for and for which one frame is usually enough.
+constexpr double enoughForStudy = 1, enoughForAct = 0.05;
 
 UseCost useCost(const rendering::RenderedComparison& comparison, const Brdf& brdf, double enoughSeconds,
                 const TaskControl& stop) {

@@ -18,7 +18,7 @@ struct UseCost {
 };
 
 /// Measures measureEvaluation() and the time of a frame of comparisonScene() (median of three, or fewer if they take
-/// more than a quarter of a second). Takes about the time of three frames. @throws Cancelled.
+/// more than 50 ms). Takes about the time of two frames. @throws Cancelled.
 UseCost measureUse(const Brdf& brdf, const TaskControl& control = {});
 
 /// How close a material is to the measurement that it stands for, and what using it costs: the numbers of a

@@ -57,6 +57,34 @@ class PreviewWidgetTest : public QObject {
     QCOMPARE(picture.pixel(2, 2), picture.pixel(110, 4));
   }
 
+  /// What is being opened shows its thumbnail above its name, in the empty preview and over the dimmed picture, not
+  /// larger than it is; then the picture is as before.
+  void whatIsBeingOpenedShowsItsThumbnail() {
+    QImage thumbnail(40, 40, QImage::Format_RGB32);
+    thumbnail.fill(Qt::red);
+    const auto shown = [&] { return widget_->grab().toImage().convertToFormat(QImage::Format_RGB32); };
+    const auto reds = [](const QImage& image) {
+      int count = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == QColor(Qt::red);
+      return count;
+    };
+    for (const bool isEmpty : {true, false}) {
+      if (!isEmpty) {
+        content().setSubject(widgets::measuredSubject(table_));
+        QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
+      }
+      const QImage before = shown();
+      widget_->setLoading("red paint", thumbnail);
+      QCOMPARE(reds(shown()), 40 * 40);
+      QCOMPARE(shown().pixelColor(110, 80), QColor(Qt::red));
+      widget_->setLoading("another");
+      QCOMPARE(reds(shown()), 0);
+      widget_->setLoading({});
+      QVERIFY(shown() == before);
+    }
+  }
+
   /// Who hears of a plan may request a picture: both plans are those of the scene, or the shader's objects have no
   /// blockers.
   void plansBelongToTheSceneWhenTheyAreAnnounced() {

@@ -86,8 +86,10 @@ void PreviewWidget::connectThread() {
   });
 }
 
-void PreviewWidget::setLoading(const QString& name) {
-  if (std::exchange(m_loading, name) == name) return;
+void PreviewWidget::setLoading(const QString& name, const QImage& thumbnail) {
+  if (m_loading == name && m_thumbnail.cacheKey() == thumbnail.cacheKey()) return;
+  m_loading = name;
+  m_thumbnail = thumbnail;
   showOverlay();
   update();
 }
@@ -202,13 +204,23 @@ void PreviewWidget::showEvent(QShowEvent* event) {
 void PreviewWidget::paintEvent(QPaintEvent*) {
   m_content.setViewport(pixelSize());  // a screen of another density
   QPainter painter(this);
-  if (m_state.picture.isNull()) return painter.fillRect(rect(), m_settings.backgroundEdge);
   painter.setRenderHint(QPainter::SmoothPixmapTransform, m_state.picture.size() != pixelSize());
-  const QRect place = unstretched(m_state.picture.size(), rect());
+  const QRect place = m_state.picture.isNull() ? QRect() : unstretched(m_state.picture.size(), rect());
   if (place != rect()) painter.fillRect(rect(), m_settings.backgroundEdge);
   painter.drawImage(place, m_state.picture);
+  if (!m_loading.isEmpty()) drawLoading(painter);
+}
+
+void PreviewWidget::drawLoading(QPainter& painter) const {
   constexpr QColor veil(20, 20, 20, 150);
-  if (!m_loading.isEmpty()) painter.fillRect(rect(), veil);
+  if (!m_state.picture.isNull()) painter.fillRect(rect(), veil);
+  if (m_thumbnail.isNull()) return;
+  // Above the name, which is in the middle.
+  const int above = fontMetrics().height(), room = std::min(height() / 2 - 2 * above, width() / 2);
+  const QSize size = QSize(room, room).boundedTo(m_thumbnail.size());
+  const QRect place((width() - size.width()) / 2, height() / 2 - above - size.height(), size.width(), size.height());
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(unstretched(m_thumbnail.size(), place), m_thumbnail);
 }
 
 void PreviewWidget::resizeEvent(QResizeEvent* event) {

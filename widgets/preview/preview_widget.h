@@ -55,8 +55,9 @@ class PreviewWidget : public QWidget {
   QString graphics() const { return m_graphics; }
   /// Whether the picture has all its samples.
   bool converged() const;
-  /// Dims the picture and names what is being opened in its place; empty: shows it as it is.
-  void setLoading(const QString& name);
+  /// Dims the picture and names what is being opened in its place; an empty name: shows it as it is.
+  /// @param thumbnail of what is being opened, shown above its name; null if there is none.
+  void setLoading(const QString& name, const QImage& thumbnail = {});
   /// Whether the picture was traced on the CPU.
   bool showsFilm() const { return m_state.sides[0].isTraced; }
   /// Requests have increasing numbers: the number of the last request, and of the displayed picture.
@@ -85,6 +86,7 @@ class PreviewWidget : public QWidget {
   void requestPicture();
   void adopt(const PictureState& state);
   void showOverlay();
+  void drawLoading(QPainter& painter) const;
   void showStatus(double milliseconds);
   void showFailure(const QString& message);
   QSize pixelSize() const;
@@ -100,6 +102,7 @@ class PreviewWidget : public QWidget {
   bool m_flickering = false, m_filtersNoise = true;
   QString m_failure;
   QString m_loading;      ///< what is being opened; empty: nothing
+  QImage m_thumbnail;     ///< of it; may be null
   QString m_unavailable;  ///< why nothing can be drawn; empty: OpenGL works, or was not started
   QString m_graphics;
   PreviewOverlay* m_overlay;

@@ -202,10 +202,13 @@ void EditorParts::connectFirstPicture() {
   QObject::connect(&tasks, &BackgroundTasks::changed, &preview, [this] { showLoading(); });
 }
 
-/// Until the first picture of a material or a scene, the picture of the one before is dimmed.
+/// Until the first picture of a material or a scene, the picture of the one before is dimmed; a material of the library
+/// shows its thumbnail at once.
 void EditorParts::showLoading() {
-  const QString opening = controller.opening().section('/', -1);
-  if (!opening.isEmpty() || !m_awaitsPicture) preview.setLoading(opening);
+  const QString opening = controller.opening();
+  if (opening.isEmpty() && m_awaitsPicture) return;
+  const widgets::LibraryThumbnail* known = library.model().thumbnail(opening);
+  preview.setLoading(opening.section('/', -1), known ? known->image : QImage());
 }
 
 bool EditorParts::isSettled() const {

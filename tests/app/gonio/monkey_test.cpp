@@ -43,7 +43,7 @@ std::optional<DockLayout::Workspace> askedWorkspace() {
 }
 
 /// GONIO_MONKEY_SECONDS, GONIO_MONKEY_SEED and GONIO_MONKEY_WORKSPACE (edit, compare, analyse, acquire) in the
-/// environment ask for another run than one minute. Qt Test stops a run of more than five minutes unless
+/// environment ask for another run than half a minute. Qt Test stops a run of more than five minutes unless
 /// QTEST_FUNCTION_TIMEOUT (milliseconds) allows it. After ten minutes and at the end the memory is compared.
 class MonkeyTest : public QObject {
   Q_OBJECT
@@ -102,7 +102,7 @@ class MonkeyTest : public QObject {
   void nothingBreaks() {
     bool isNumber = false;
     const int asked = qEnvironmentVariableIntValue("GONIO_MONKEY_SECONDS", &isNumber);
-    const int seconds = isNumber ? asked : 60;
+    const int seconds = isNumber ? asked : 30;
     const auto seed = unsigned(qEnvironmentVariableIntValue("GONIO_MONKEY_SEED"));
     if (seconds > secondsOfMark) computeWhatIsKept();
     QPointer<MainWindow> window = new MainWindow;

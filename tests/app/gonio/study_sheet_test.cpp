@@ -24,7 +24,7 @@ bool wait(const std::function<bool()>& done) { return QTest::qWaitFor(done, pati
 
 /// With fewer samples than for people.
 struct Sheet : StudySheet {
-  explicit Sheet(BackgroundTasks& tasks) : StudySheet(tasks) { pictures().setSamples(48); }
+  explicit Sheet(BackgroundTasks& tasks) : StudySheet(tasks) { pictures().setSamples(16); }
 };
 
 class StudySheetTest : public QObject {

@@ -8,10 +8,10 @@
 
 #include "tests/support/test_program.h"
 
-namespace fast_atan2_test {
+namespace fast_angles_test {
 using namespace gonio;
 
-class FastAtan2Test : public QObject {
+class FastAnglesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void agreesWithTheLibraryAllAround() {
@@ -42,9 +42,31 @@ class FastAtan2Test : public QObject {
     QCOMPARE(fastAtan2(2, 2), pi / 4);
     QCOMPARE(fastAtan2(-3, -3), -3 * pi / 4);
   }
+
+  void sineAndCosineOfTurns() {
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> angle(-2, 2);
+    for (int n = 0; n < 1000000; ++n) {
+      const double turns = angle(random);
+      // The rest of the nearest turn is exact, and its product with pi in long double.
+      const long double radians = 2 * std::numbers::pi_v<long double> * (turns - std::round(turns));
+      const auto [sine, cosine] = fastSineAndCosine(turns);
+      QVERIFY(std::abs(double(sine - std::sin(radians))) < 4e-16);
+      QVERIFY(std::abs(double(cosine - std::cos(radians))) < 4e-16);
+    }
+  }
+
+  void quarterTurnsAreExact() {
+    for (int n = -8; n <= 8; ++n) {
+      const auto [sine, cosine] = fastSineAndCosine(n / 4.0);
+      const int q = ((n % 4) + 4) % 4;
+      QCOMPARE(sine, q == 1 ? 1.0 : q == 3 ? -1.0 : 0.0);
+      QCOMPARE(cosine, q == 0 ? 1.0 : q == 2 ? -1.0 : 0.0);
+    }
+  }
 };
 
-GONIO_TEST(FastAtan2Test)
-}  // namespace fast_atan2_test
+GONIO_TEST(FastAnglesTest)
+}  // namespace fast_angles_test
 
-#include "fast_atan2_test.moc"
+#include "fast_angles_test.moc"
