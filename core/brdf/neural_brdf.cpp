@@ -203,6 +203,7 @@ void NeuralBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> v
     const auto first = rectified(layer<inputs, hidden>(weights, inputsAt(at)));
     const auto second = rectified(layer<hidden, hidden>(weights, first));
     const auto result = layer<hidden, outputs>(weights, second);
+    // Where weights overflow, the result may be NaN, which becomes 0.
     for (int c = 0; c < 3; ++c)
       values[i][c] = std::max(0.0, fastExpm1(std::clamp(result[std::size_t(c)], 0.0f, maxExponent)));
   }

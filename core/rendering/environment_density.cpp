@@ -229,7 +229,6 @@ void EnvironmentDensity::buildTables() {
     // Empty cells at the end have no interval, whatever the rounding.
     std::fill(cumulative + end, cumulative + entries, 1.f);
     cumulative[0] = 0;
-    for (std::size_t row = 0; row < cellRows(); ++row) rowStarts_.push_back(cumulative[row * cellColumns()]);
   }
 }
 
@@ -250,9 +249,8 @@ double EnvironmentDensity::density(Table table, const glm::dvec2& position, doub
 
 EnvironmentDensity::Sample EnvironmentDensity::sample(Table table, const glm::dvec2& u) const {
   const float* const cumulative = &cumulative_[table * (cells_.size() + 1)];
-  const std::size_t columns = cellColumns(), rows = cellRows();
-  const float* const starts = &rowStarts_[table * rows];
-  const std::size_t cellRow = lastStart(rows, u.x, [&](std::size_t row) { return starts[row]; });
+  const std::size_t columns = cellColumns();
+  const std::size_t cellRow = lastStart(cellRows(), u.x, [&](std::size_t row) { return cumulative[row * columns]; });
   const float* const inRow = cumulative + cellRow * columns;
   const double rowStart = inRow[0], rowMass = inRow[columns] - rowStart, soughtCell = rowStart + u.y * rowMass;
   const std::size_t cellColumn = lastStart(columns, soughtCell, [&](std::size_t column) { return inRow[column]; });

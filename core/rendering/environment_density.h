@@ -73,7 +73,6 @@ class EnvironmentDensity {
   std::vector<float> down_;  ///< [cell column][strip]: integral from the top of the cell to the strip
   std::vector<Cell> cells_;
   std::vector<float> cumulative_;  ///< [table][cell], from 0 to 1, one entry more than cells
-  std::vector<float> rowStarts_;   ///< [table][cell row]: of `cumulative_`, side by side
   std::vector<double> scales_;     ///< [table]: of the factors, so that densities integrate to 1
 };
 

@@ -214,9 +214,9 @@ void PreviewWidget::paintEvent(QPaintEvent*) {
 void PreviewWidget::drawLoading(QPainter& painter) const {
   constexpr QColor veil(20, 20, 20, 150);
   if (!m_state.picture.isNull()) painter.fillRect(rect(), veil);
-  if (m_thumbnail.isNull()) return;
   // Above the name, which is in the middle.
   const int above = fontMetrics().height(), room = std::min(height() / 2 - 2 * above, width() / 2);
+  if (m_thumbnail.isNull() || room <= 0) return;
   const QSize size = QSize(room, room).boundedTo(m_thumbnail.size());
   const QRect place((width() - size.width()) / 2, height() / 2 - above - size.height(), size.width(), size.height());
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
